@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string_view>
+
+#include "core/oracle.h"
+#include "core/picture.h"
+
+namespace povpreview {
+
+/// What to copy into a Picture besides colours.
+enum class Overlay { none, mesh, edges, samples };
+
+/// Counts for the log.
+struct Statistics {
+    std::size_t vertices = 0;     ///< of the triangulation
+    std::size_t constraints = 0;  ///< constrained edges in it
+    std::size_t filled = 0;       ///< pixels that show their own full sample
+};
+
+/// A way to choose samples and to make a picture of them. A pure state machine: it says which
+/// sample it wants next and is told the answers in the same order; it knows neither clock, nor
+/// tracer, nor display, and equal answers make equal pictures.
+class Previewer {
+   public:
+    virtual ~Previewer() = default;
+
+    virtual std::string_view name() const = 0;
+    /// The parts of full samples that it uses.
+    virtual Parts parts() const = 0;
+
+    /// The next sample wanted; nothing while it must wait for answers, or when it is done.
+    virtual std::optional<Request> next() = 0;
+    /// The answer to the oldest request not yet answered.
+    virtual void accept(const Sample& sample) = 0;
+    /// Every pixel shows a full sample of its own centre, and no answer is outstanding.
+    virtual bool done() const = 0;
+
+    /// The picture as it stands. May be called at any time after the first answer.
+    virtual Picture picture(Overlay overlay) const = 0;
+    virtual Statistics statistics() const = 0;
+};
+
+}  // namespace povpreview
