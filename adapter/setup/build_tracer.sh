@@ -29,11 +29,14 @@ fetch() {
     codename=$(. /etc/os-release && echo "$VERSION_CODENAME")
     rm -rf "$apt/parts" && mkdir -p "$apt/parts" "$apt/lists/partial" "$cache/source"
     # Only the distribution's own suites: other archives on this machine need not carry sources.
-    find /etc/apt/sources.list /etc/apt/sources.list.d -name '*.list' 2>/dev/null |
-        xargs -r sed -nE "s/^deb ((\[[^]]*\] +)?[^ ]+ +$codename([-\/][a-z]+)? .*)/deb-src \1/p" \
-            >"$apt/parts/source.list"
-    find /etc/apt/sources.list.d -name '*.sources' 2>/dev/null | while read -r list; do
-        awk -v RS= -v ORS='\n\n' -v suite="\nSuites:[^\n]* $codename([-/ ]|\n|$)" \
+    shopt -s nullglob
+    local list
+    for list in /etc/apt/sources.list /etc/apt/sources.list.d/*.list; do
+        [ ! -f "$list" ] || sed -nE \
+            "s/^deb ((\[[^]]*\] +)?[^ ]+ +$codename([-\/][a-z]+)? .*)/deb-src \1/p" "$list"
+    done >"$apt/parts/source.list"
+    for list in /etc/apt/sources.list.d/*.sources; do
+        awk -v RS= -v ORS='\n\n' -v suite="\nSuites:[^\n]* $codename([-/ \n])" \
             '("\n" $0 "\n") ~ suite' "$list" | sed -E 's/^Types:.*/Types: deb-src/'
     done >"$apt/parts/source.sources"
     local options=(-o Dir::Etc::sourcelist=/dev/null -o Dir::Etc::sourceparts="$apt/parts"
@@ -99,5 +102,5 @@ mkdir -p "$cache/tracer-$hash"
 cp "$tree/unix/povray" "$cache/tracer-$hash/povray.new"
 strip "$cache/tracer-$hash/povray.new"
 mv "$cache/tracer-$hash/povray.new" "$binary"
-rm -rf "$cache/build-$hash"
+rm -rf "$cache"/build-*
 say "the tracer is ready: $binary"
