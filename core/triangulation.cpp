@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "core/triangulation.h"
+
+#include <CGAL/Constrained_Delaunay_triangulation_2.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Triangulation_vertex_base_with_info_2.h>
+
+#include <algorithm>
+#include <cassert>
+
+namespace povpreview {
+
+namespace {
+
+struct VertexInfo {
+    VertexId id{};
+    std::uint32_t constraints = 0;  ///< constrained edges that end here
+    bool border = false;
+    bool touched = false;  ///< in the list of the current operation
+};
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Faces = CGAL::Constrained_triangulation_face_base_2<Kernel>;
+using Vertices = CGAL::Triangulation_vertex_base_with_info_2<VertexInfo, Kernel>;
+using Structure = CGAL::Triangulation_data_structure_2<Vertices, Faces>;
+using Base =
+    CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure, CGAL::Exact_predicates_tag>;
+
+/// CGAL's triangulation, watched: it notes every vertex around which something changes.
+class Watched : public Base {
+   public:
+    std::vector<Vertex_handle> touched;
+
+    void touch(Vertex_handle v) {
+        if (is_infinite(v) || v->info().touched) return;
+        v->info().touched = true;
+        touched.push_back(v);
+    }
+
+   protected:
+    // CGAL inserts the crossings of constraints by these two.
+    Vertex_handle virtual_insert(const Point& p, Face_handle start) override {
+        Vertex_handle v = Base::insert(p, start);
+        touch(v);
+        return v;
+    }
+    Vertex_handle virtual_insert(const Point& p, Locate_type type, Face_handle face,
+                                 int index) override {
+        Vertex_handle v = Base::insert(p, type, face, index);
+        touch(v);
+        return v;
+    }
+    // A constraint replaces the faces that it crosses; all new edges end on the hole's rim.
+    void triangulate_hole(List_faces& faces, List_edges& left, List_edges& right) override {
+        for (const List_edges* rim : {&left, &right})
+            for (const Edge& edge : *rim) {
+                touch(edge.first->vertex(cw(edge.second)));
+                touch(edge.first->vertex(ccw(edge.second)));
+            }
+        Base::triangulate_hole(faces, left, right);
+    }
+};
+
+using Handle = Watched::Vertex_handle;
+using Face = Watched::Face_handle;
+
+Watched::Point point(glm::dvec2 p) { return {p.x, p.y}; }
+
+}  // namespace
+
+struct Triangulation::Impl {
+    Watched cdt;
+    glm::dvec2 low, high;
+    std::vector<Handle> handles;  // null: removed
+    std::vector<glm::dvec2> positions;
+    std::vector<VertexId> touched;
+    std::size_t constraints = 0;
+
+    Handle handle(VertexId id) const {
+        assert(id.value < handles.size() && handles[id.value] != Handle());
+        return handles[id.value];
+    }
+
+    void begin() {
+        for (Handle v : cdt.touched) v->info().touched = false;
+        cdt.touched.clear();
+        touched.clear();
+    }
+
+    VertexId name(Handle v) {
+        const glm::dvec2 p{v->point().x(), v->point().y()};
+        v->info().id = VertexId{static_cast<std::uint32_t>(handles.size())};
+        v->info().border = p.x <= low.x || p.y <= low.y || p.x >= high.x || p.y >= high.y;
+        handles.push_back(v);
+        positions.push_back(p);
+        return v->info().id;
+    }
+
+    std::uint32_t count_constraints(Handle v) const {
+        std::uint32_t count = 0;
+        auto edge = cdt.incident_edges(v), end = edge;
+        do {
+            if (!cdt.is_infinite(*edge) && edge->first->is_constrained(edge->second)) ++count;
+        } while (++edge != end);
+        return count;
+    }
+
+    /// Names new vertices and brings the counts of constraints up to date. CGAL is silent where a
+    /// constraint runs along edges that are there already, so the change is followed along them.
+    void finish() {
+        std::size_t sum_before = 0, sum_after = 0;
+        for (std::size_t i = 0; i < cdt.touched.size(); ++i) {
+            Handle v = cdt.touched[i];
+            if (!v->info().id.valid()) name(v);
+            const std::uint32_t now = count_constraints(v);
+            sum_before += v->info().constraints;
+            sum_after += now;
+            if (now == v->info().constraints && now == 0) continue;
+            v->info().constraints = now;
+            auto edge = cdt.incident_edges(v), end = edge;
+            do {
+                if (!edge->first->is_constrained(edge->second)) continue;
+                Handle w = edge->first->vertex(cdt.cw(edge->second));
+                if (w == v) w = edge->first->vertex(cdt.ccw(edge->second));
+                if (!w->info().touched && count_constraints(w) != w->info().constraints)
+                    cdt.touch(w);
+            } while (++edge != end);
+        }
+        constraints += (sum_after - sum_before) / 2;  // each edge is counted at both ends
+        for (Handle v : cdt.touched) touched.push_back(v->info().id);
+    }
+
+    Insertion insert(glm::dvec2 p, VertexId near) {
+        Watched::Locate_type type;
+        int index = 0;
+        Face face = cdt.locate(point(p), type, index, handle(near)->face());
+        assert(type != Watched::OUTSIDE_CONVEX_HULL && type != Watched::OUTSIDE_AFFINE_HULL);
+        if (type == Watched::VERTEX) return {face->vertex(index)->info().id, false};
+        const bool splits = type == Watched::EDGE && face->is_constrained(index);
+        if (splits) {
+            cdt.touch(face->vertex(cdt.cw(index)));
+            cdt.touch(face->vertex(cdt.ccw(index)));
+        }
+        Handle v = cdt.insert(point(p), type, face, index);
+        cdt.touch(v);
+        return {name(v), true};
+    }
+
+    void free_edge(VertexId a, VertexId b) {
+        Face face;
+        int index = 0;
+        [[maybe_unused]] const bool found = cdt.is_edge(handle(a), handle(b), face, index);
+        assert(found && face->is_constrained(index));
+        std::vector<Face> flipped;
+        cdt.remove_constrained_edge(face, index, std::back_inserter(flipped));
+        cdt.touch(handle(a));
+        cdt.touch(handle(b));
+        for (Face f : flipped)
+            for (int i = 0; i < 3; ++i) cdt.touch(f->vertex(i));
+    }
+
+    void constrain(VertexId a, VertexId b) {
+        if (a == b) return;
+        cdt.touch(handle(a));
+        cdt.touch(handle(b));
+        cdt.insert_constraint(handle(a), handle(b));
+    }
+};
+
+Triangulation::Triangulation(glm::dvec2 low, glm::dvec2 high) : impl_(std::make_unique<Impl>()) {
+    assert(low.x < high.x && low.y < high.y);
+    impl_->low = low;
+    impl_->high = high;
+    for (glm::dvec2 corner : {low, {high.x, low.y}, high, {low.x, high.y}})
+        impl_->name(impl_->cdt.insert(point(corner)));
+}
+Triangulation::~Triangulation() = default;
+Triangulation::Triangulation(Triangulation&&) noexcept = default;
+Triangulation& Triangulation::operator=(Triangulation&&) noexcept = default;
+
+Triangulation::Insertion Triangulation::insert(glm::dvec2 position, VertexId near) {
+    impl_->begin();
+    const Insertion insertion = impl_->insert(position, near);
+    impl_->finish();
+    return insertion;
+}
+
+void Triangulation::constrain(VertexId a, VertexId b) {
+    impl_->begin();
+    impl_->constrain(a, b);
+    impl_->finish();
+}
+
+Triangulation::Insertion Triangulation::split(VertexId a, VertexId b, glm::dvec2 p) {
+    impl_->begin();
+    impl_->free_edge(a, b);
+    const Insertion insertion = impl_->insert(p, a);
+    impl_->constrain(a, insertion.vertex);
+    impl_->constrain(insertion.vertex, b);
+    impl_->finish();
+    return insertion;
+}
+
+void Triangulation::remove(VertexId vertex) {
+    impl_->begin();
+    Handle v = impl_->handle(vertex);
+    assert(v->info().constraints == 0 && !v->info().border);
+    auto around = impl_->cdt.incident_vertices(v), end = around;
+    do impl_->cdt.touch(around);
+    while (++around != end);
+    impl_->cdt.remove(v);
+    impl_->handles[vertex.value] = Handle();
+    impl_->finish();
+}
+
+std::span<const VertexId> Triangulation::touched() const { return impl_->touched; }
+
+glm::dvec2 Triangulation::position(VertexId vertex) const { return impl_->positions[vertex.value]; }
+bool Triangulation::alive(VertexId vertex) const {
+    return vertex.value < impl_->handles.size() && impl_->handles[vertex.value] != Handle();
+}
+bool Triangulation::on_constraint(VertexId vertex) const {
+    return impl_->handle(vertex)->info().constraints > 0;
+}
+bool Triangulation::on_border(VertexId vertex) const {
+    return impl_->handle(vertex)->info().border;
+}
+std::size_t Triangulation::vertex_ids() const { return impl_->handles.size(); }
+std::size_t Triangulation::vertices() const { return impl_->cdt.number_of_vertices(); }
+std::size_t Triangulation::faces() const { return impl_->cdt.number_of_faces(); }
+std::size_t Triangulation::constraints() const { return impl_->constraints; }
+
+void Triangulation::fan(VertexId vertex, std::vector<Spoke>& spokes) const {
+    spokes.clear();
+    const Watched& cdt = impl_->cdt;
+    Handle v = impl_->handle(vertex);
+    auto face = cdt.incident_faces(v), end = face;
+    std::size_t outside = 0;  // spokes before the outside
+    do {
+        // The face to the left of the spoke v-w; w is its vertex counter-clockwise after v.
+        const int at = face->index(v);
+        Handle w = face->vertex(cdt.ccw(at));
+        if (cdt.is_infinite(w)) continue;
+        const bool inside = !cdt.is_infinite(face);
+        spokes.push_back({w->info().id, face->is_constrained(cdt.cw(at)), inside});
+        if (!inside) outside = spokes.size();
+    } while (++face != end);
+    std::rotate(spokes.begin(), spokes.begin() + static_cast<std::ptrdiff_t>(outside),
+                spokes.end());
+}
+
+bool Triangulation::find_edge(VertexId a, VertexId b, Edge& edge) const {
+    if (!alive(a) || !alive(b)) return false;
+    Face face;
+    int index = 0;
+    if (!impl_->cdt.is_edge(impl_->handle(a), impl_->handle(b), face, index)) return false;
+    // CGAL gives the edge by the vertex across it; a is before or after that.
+    Handle here = face->vertex(index);
+    Handle there = impl_->cdt.mirror_vertex(face, index);
+    if (face->vertex(impl_->cdt.ccw(index)) != impl_->handle(a)) std::swap(here, there);
+    edge.constrained = face->is_constrained(index);
+    edge.left = impl_->cdt.is_infinite(here) ? VertexId{} : here->info().id;
+    edge.right = impl_->cdt.is_infinite(there) ? VertexId{} : there->info().id;
+    return true;
+}
+
+std::array<VertexId, 3> Triangulation::locate(glm::dvec2 position, VertexId near) const {
+    Face face = impl_->cdt.locate(point(position), impl_->handle(near)->face());
+    for (int i = 0; i < 3; ++i)  // on the border CGAL may answer with the face outside
+        if (impl_->cdt.is_infinite(face->vertex(i))) {
+            face = face->neighbor(i);
+            break;
+        }
+    return {face->vertex(0)->info().id, face->vertex(1)->info().id, face->vertex(2)->info().id};
+}
+
+void Triangulation::for_each_face(
+    const std::function<void(VertexId, VertexId, VertexId)>& f) const {
+    for (Face face : impl_->cdt.finite_face_handles())
+        f(face->vertex(0)->info().id, face->vertex(1)->info().id, face->vertex(2)->info().id);
+}
+
+void Triangulation::for_each_edge(const std::function<void(VertexId, VertexId, bool)>& f) const {
+    const Watched& cdt = impl_->cdt;
+    for (const auto& [face, index] : cdt.finite_edges())
+        f(face->vertex(cdt.ccw(index))->info().id, face->vertex(cdt.cw(index))->info().id,
+          face->is_constrained(index));
+}
+
+bool Triangulation::sound() const { return impl_->cdt.is_valid(); }
+
+}  // namespace povpreview
