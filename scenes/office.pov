@@ -63,17 +63,17 @@ camera {
   look_at <1.95, 0.98, 3.6>
 }
 
-#declare Sun = <-9.0, 6.9, 0.2>;
+#declare Sun = <-9.0, 6.9, 1.3>;
 #declare Pendant = <2.75, 2.02, 2.65>;
 
 light_source {
   Sun
-  color rgb <1.0, 0.86, 0.66> * 2.1
+  color rgb <1.0, 0.85, 0.62> * 3.0
 }
 
 light_source {
   Pendant
-  color rgb <1.0, 0.90, 0.76> * 0.75
+  color rgb <1.0, 0.90, 0.76> * 0.65
   fade_distance 2.4
   fade_power 2
 }
@@ -310,7 +310,10 @@ light_source {
   }
   object {
     Block(<-WallT, RoomH, -WallT>, <RoomW + WallT, RoomH + 0.1, RoomD + WallT>)
-    Plain(White)
+    texture {
+      pigment { color White }
+      finish { ambient SkyFill * 1.6 diffuse 0.75 }
+    }
   }
   object { // far wall
     Block(<0, 0, RoomD>, <RoomW, RoomH, RoomD + WallT>)
@@ -407,18 +410,18 @@ light_source {
 // ---------------------------------------------------------------------------------------------
 // A ridge as a prism along x, its outline given over z by a sum of waves.
 #macro Ridge(X, Base, Height, Phase, C)
-  #local N = 22;
+  #local N = 44;
   prism {
     linear_sweep
     linear_spline
     X - 0.5, X, N + 4
-    , <-60, -20>
+    , <-150, -20>
     #for (I, 0, N)
-      #local Z = -60 + 160 * I / N;
+      #local Z = -150 + 310 * I / N;
       , <Z, Base + Height * (0.5 + 0.3 * sin(Z * 0.055 + Phase) + 0.2 * sin(Z * 0.17 + 2 * Phase))>
     #end
-    , <100, -20>
-    , <-60, -20>
+    , <160, -20>
+    , <-150, -20>
     // prism space (u, along, v) -> (along, v, u)
     matrix <0, 0, 1, 1, 0, 0, 0, 1, 0, 0, 0, 0>
     Plain(C)
@@ -474,7 +477,7 @@ light_source {
 
 #macro Outside()
   mesh { // the sky, behind the sun: its glow is its own
-    Quad(<-90, -20, -90>, <-90, -20, 190>, <-90, 70, 190>, <-90, 70, -90>)
+    Quad(<-90, -20, -160>, <-90, -20, 190>, <-90, 70, 190>, <-90, 70, -160>)
     texture {
       pigment {
         gradient y
@@ -490,17 +493,18 @@ light_source {
     }
   }
   object {
-    Block(<-89, -4.2, -80>, <-WallT - 0.5, -4, 150>)
+    Block(<-89, -4.2, -150>, <-WallT - 0.5, -4, 160>)
     Plain(srgb <0.55, 0.62, 0.32>)
   }
-  Ridge(-80, 2, 13, 0.6, srgb <0.60, 0.70, 0.80>)
-  Ridge(-62, -3, 12, 2.3, srgb <0.50, 0.63, 0.58>)
-  Ridge(-46, -5, 8, 4.0, srgb <0.45, 0.58, 0.36>)
-  House(<-26, -4, 14>, 5, 7, 3.4, 12, srgb <0.95, 0.90, 0.80>)
-  House(<-33, -4, 27>, 5, 8, 3.8, -20, srgb <0.90, 0.78, 0.62>)
-  House(<-30, -4, 4>, 5, 6, 3.2, 30, srgb <0.92, 0.88, 0.84>)
-  #for (I, 0, 17)
-    Tree(<-20 - 18 * rand(Dice), -4, -6 + 2.8 * I + rand(Dice)>, Between(2.6, 4.8))
+  Ridge(-80, -2, 14, 0.6, srgb <0.62, 0.72, 0.82>)
+  Ridge(-68, -4, 11, 2.3, srgb <0.50, 0.63, 0.60>)
+  Ridge(-58, -5, 8, 4.2, srgb <0.45, 0.58, 0.38>)
+  House(<-42, -4, 9>, 5, 7, 3.2, 12, srgb <0.95, 0.90, 0.80>)
+  House(<-50, -4, 25>, 5, 8, 3.6, -20, srgb <0.90, 0.78, 0.62>)
+  House(<-36, -4, 17>, 4.5, 6, 3.0, -8, srgb <0.92, 0.88, 0.84>)
+  House(<-44, -4, -22>, 5, 7, 3.2, 30, srgb <0.92, 0.86, 0.76>)
+  #for (I, 0, 29)
+    Tree(<-24 - 28 * rand(Dice), -4, -45 + 3.0 * I + rand(Dice)>, Between(2.4, 4.6))
   #end
 #end
 
@@ -916,7 +920,7 @@ light_source {
       #for (Half, 0, 1)
         #local A = (Half ? W / 2 + T / 2 : T);
         #local B = (Half ? W - T : W / 2 - T / 2);
-        #local Keep = (mod(I * 2 + Half * 3, 5) = 2 ? 0.24 : 0); // room for an ornament
+        #local Keep = (mod(I * 2 + Half * 3, 5) = 2 ? 0.26 : 0); // room for an ornament
         union {
           BookRow(A + 0.005, B - Keep, Pitch - T)
           #if (Keep > 0)
@@ -1176,7 +1180,7 @@ union { // the desk under the window, its user facing -x
 object { SwivelChair() rotate y * 62 translate <1.28, 0, 2.72> }
 object { WastePaper() translate <0.30, 0, 1.60> }
 
-object { Bookcase(2.1, 2.15, 6) translate <3.02, 0, RoomD - 0.30> }
+object { Bookcase(1.84, 2.15, 6) translate <2.78, 0, RoomD - 0.30> }
 object { WallMirror(1.30, 1.45) translate <1.75, 1.42, RoomD> }
 object { Plant(4, 1.25, 8, 0.42) translate <0.55, 0, 4.45> }
 
