@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "display/options.h"
+
+#include <CLI/CLI.hpp>
+#include <map>
+
+#include "core/error.h"
+#include "core/methods.h"
+
+namespace povpreview {
+namespace {
+
+constexpr int largest_side = 65535;
+constexpr double largest_pixel_count = 1 << 28;
+
+/// Parts what CLI11 shall see (options that begin with `--`, and their values) from what POV-Ray
+/// shall see. POV-Ray's own options begin with one sign or have the form Name=value.
+void part(const CLI::App& app, const std::vector<std::string>& words,
+          std::vector<std::string>& ours, std::vector<std::string>& povray) {
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        const std::string& word = words[i];
+        if (!word.starts_with("--")) {
+            povray.push_back(word);
+            continue;
+        }
+        ours.push_back(word);
+        const CLI::Option* option = app.get_option_no_throw(word);
+        const bool takes_value = option && option->get_items_expected_min() > 0;
+        if (takes_value && i + 1 < words.size()) ours.push_back(words[++i]);
+    }
+}
+
+/// WxH in pixels.
+glm::ivec2 read_size(const std::string& text) {
+    int width = 0, height = 0, used = 0;
+    if (std::sscanf(text.c_str(), "%dx%d%n", &width, &height, &used) != 2 ||
+        used != static_cast<int>(text.size()) || width < 1 || height < 1 || width > largest_side ||
+        height > largest_side || double(width) * height > largest_pixel_count)
+        throw Error(Exit::usage, "'" + text + "' is no picture size", "--size",
+                    "give WIDTHxHEIGHT in pixels, for instance --size 1280x960");
+    return {width, height};
+}
+
+const std::map<std::string, Overlay> overlays{{"none", Overlay::none},
+                                              {"mesh", Overlay::mesh},
+                                              {"edges", Overlay::edges},
+                                              {"samples", Overlay::samples}};
+const std::map<std::string, Backend> backends{
+    {"auto", Backend::automatic}, {"egl", Backend::egl}, {"osmesa", Backend::osmesa}};
+
+/// Options that both commands have.
+template <class Options>
+void add_common(CLI::App& app, Options& options) {
+    app.add_option("--backend", options.backend, "OpenGL by: auto, egl, osmesa")
+        ->transform(CLI::CheckedTransformer(backends))
+        ->option_text("NAME");
+    app.add_option("--time", options.time, "Stop so many seconds after the end of the parse")
+        ->check(CLI::PositiveNumber)
+        ->option_text("SECONDS");
+    app.add_option("--stall-timeout", options.stall_timeout,
+                   "Give the tracer up when it has been silent for so long (default 60)")
+        ->check(CLI::PositiveNumber)
+        ->option_text("SECONDS");
+}
+
+void parse(CLI::App& app, const std::vector<std::string>& words, std::vector<std::string>& povray,
+           CommandLine& result) {
+    std::vector<std::string> ours;
+    part(app, words, ours, povray);
+    std::reverse(ours.begin(), ours.end());  // CLI11 takes them from the back
+    try {
+        app.parse(ours);
+    } catch (const CLI::CallForHelp&) {
+        result.text = app.help();
+    } catch (const CLI::ParseError& error) {
+        throw Error(Exit::usage, error.what(), "command line", "see povpreview --help");
+    }
+}
+
+void read_preview(const std::vector<std::string>& words, CommandLine& result) {
+    PreviewOptions options;
+    CLI::App app(
+        "Previews a POV-Ray scene: a picture close to the finished render after a few "
+        "percent of the work.\n\n"
+        "  povpreview [POV-Ray options] SCENE.pov [options]\n"
+        "  povpreview compare [POV-Ray options] SCENE.pov --out DIR [options]\n\n"
+        "POV-Ray's own options (+W640 +H480 +Lpath Declare=x=1 file.ini ...) mean what they "
+        "mean to povray.",
+        "povpreview");
+    app.set_help_flag("--help", "Show this text");
+    bool version = false;
+    std::string size;
+    const auto methods = method_names();
+    auto methods_or_none = methods;
+    methods_or_none.push_back("none");
+    app.add_flag("--version", version, "Show the version");
+    app.add_flag("--headless", options.headless, "No window: write pictures only");
+    app.add_option("--samples", options.samples, "Stop after so many full samples")
+        ->check(CLI::PositiveNumber)
+        ->option_text("N");
+    app.add_option("--method", options.method, "One of: " + CLI::detail::join(methods, ", "))
+        ->check(CLI::IsMember(methods))
+        ->option_text("NAME");
+    app.add_option("--beside", options.beside,
+                   "Method drawn next to it from as many samples, or none (default: blocks in a "
+                   "window and in snapshots)")
+        ->check(CLI::IsMember(methods_or_none))
+        ->option_text("NAME");
+    app.add_option("--overlay", options.overlay, "Draw on top: none, mesh, edges, samples")
+        ->transform(CLI::CheckedTransformer(overlays))
+        ->option_text("NAME");
+    app.add_option("--size", size, "Size of pictures written; the mesh is magnified without blur")
+        ->option_text("WxH");
+    app.add_option("--snapshots", options.snapshots, "Write pictures there at geometric time steps")
+        ->option_text("DIR");
+    app.add_option("--log", options.log, "Write the progress there, as JSON lines")
+        ->option_text("FILE");
+    app.add_option("--output", options.output,
+                   "Write the last picture there: .png (8 bit), .exr (linear)")
+        ->option_text("FILE");
+    add_common(app, options);
+    parse(app, words, options.povray, result);
+    if (!result.text.empty()) return;
+    if (version) {
+        result.text = "povpreview " POVPREVIEW_VERSION "\n";
+        return;
+    }
+    if (!size.empty()) options.size = read_size(size);
+    result.preview = std::move(options);
+}
+
+void read_compare(const std::vector<std::string>& words, CommandLine& result) {
+    CompareOptions options;
+    CLI::App app(
+        "Compares previewing methods against a complete render by the stock povray: error "
+        "over time in DIR/curves.csv, pictures at equal times beside it.\n\n"
+        "  povpreview compare [POV-Ray options] SCENE.pov --out DIR [options]",
+        "povpreview compare");
+    app.set_help_flag("--help", "Show this text");
+    const auto methods = method_names();
+    options.methods = methods;
+    app.add_option("--out", options.out, "Folder for the results")->option_text("DIR");
+    app.add_option("--methods", options.methods,
+                   "Comma-separated, of: " + CLI::detail::join(methods, ","))
+        ->delimiter(',')
+        ->check(CLI::IsMember(methods))
+        ->expected(1)
+        ->option_text("A,B,...");
+    add_common(app, options);
+    parse(app, words, options.povray, result);
+    if (!result.text.empty()) return;
+    if (options.out.empty())
+        throw Error(Exit::usage, "no folder for the results", "compare", "give --out DIR");
+    result.compare = std::move(options);
+}
+
+}  // namespace
+
+CommandLine read_command_line(int argc, const char* const* argv) {
+    std::vector<std::string> words(argv + 1, argv + argc);
+    CommandLine result;
+    if (!words.empty() && words.front() == "compare") {
+        words.erase(words.begin());
+        read_compare(words, result);
+    } else {
+        read_preview(words, result);
+    }
+    return result;
+}
+
+}  // namespace povpreview

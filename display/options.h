@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <glm/vec2.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/previewer.h"
+#include "display/gl_context.h"
+
+namespace povpreview {
+
+/// What `povpreview SCENE.pov` was asked to do. Times are seconds since the end of the parse.
+struct PreviewOptions {
+    std::vector<std::string> povray;  ///< everything that is not ours, in order
+    bool headless = false;
+    std::optional<double> time;
+    std::optional<std::size_t> samples;  ///< full rays of the method shown
+    std::string method = "mesh";
+    std::string beside;  ///< method drawn next to it, "none", or empty: blocks, if it is shown
+    Overlay overlay = Overlay::none;
+    Backend backend = Backend::automatic;
+    std::optional<glm::ivec2> size;                ///< of pictures, where it is not the scene's
+    std::filesystem::path snapshots, log, output;  ///< empty: not wanted
+    double stall_timeout = 60;
+};
+
+/// What `povpreview compare SCENE.pov` was asked to do.
+struct CompareOptions {
+    std::vector<std::string> povray;
+    std::filesystem::path out;
+    std::vector<std::string> methods;
+    std::optional<double> time;  ///< for each method; to completion if not given
+    Backend backend = Backend::automatic;
+    double stall_timeout = 60;
+};
+
+/// What the command line says: one of the two, or a text to print (help, version) and no more.
+struct CommandLine {
+    std::optional<PreviewOptions> preview;
+    std::optional<CompareOptions> compare;
+    std::string text;
+};
+
+/// Reads the command line in POV-Ray's manner: options of ours begin with `--`, all others and the
+/// scene go to POV-Ray unread. Throws Error(Exit::usage) that names the remedy.
+CommandLine read_command_line(int argc, const char* const* argv);
+
+}  // namespace povpreview

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "display/progress_log.h"
+
+#include <fmt/format.h>
+
+#include <cstring>
+
+#include "core/error.h"
+
+namespace povpreview {
+namespace {
+
+std::string json_string(const std::string& text) {
+    std::string quoted = "\"";
+    for (const char c : text) {
+        if (c == '"' || c == '\\')
+            quoted += {'\\', c};
+        else if (static_cast<unsigned char>(c) < 0x20)
+            quoted += fmt::format("\\u{:04x}", static_cast<unsigned>(c));
+        else
+            quoted += c;
+    }
+    return quoted + '"';
+}
+
+}  // namespace
+
+ProgressLog::ProgressLog(const std::filesystem::path& file) : file_(file), stream_(file) {
+    if (!stream_)
+        throw Error(Exit::usage, std::string("cannot write the log: ") + std::strerror(errno),
+                    file.string(), "give --log a file in a folder that you may write");
+}
+
+void ProgressLog::write(const Progress& p) {
+    put(
+        fmt::format("{{\"time_s\":{:.4f},\"launch_s\":{:.4f},\"full\":{},\"probe\":{},"
+                    "\"albedo\":{},\"vertices\":{},\"constraints\":{},\"filled\":{},"
+                    "\"busy\":{:.3f}}}\n",
+                    p.time_s, p.launch_s, p.full, p.probe, p.albedo, p.statistics.vertices,
+                    p.statistics.constraints, p.statistics.filled, p.busy));
+}
+
+void ProgressLog::write_event(double time_s, const std::string& text) {
+    put(fmt::format("{{\"time_s\":{:.4f},\"event\":{}}}\n", time_s, json_string(text)));
+}
+
+void ProgressLog::put(const std::string& line) {
+    stream_ << line << std::flush;
+    if (!stream_)
+        throw Error(Exit::usage, "the log could not be written to its end", file_.string(),
+                    "make room on the disk");
+}
+
+}  // namespace povpreview
