@@ -1,0 +1,383 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "core/outline_tracer.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+#include <utility>
+
+#include "core/outline_run.h"
+#include "core/polyline.h"
+#include "core/probe_routine.h"
+
+namespace povpreview {
+namespace {
+
+/// What a failed probe shows; no surface has this number.
+constexpr std::int64_t nothing_known = -1;
+/// Steps up to this many pixels are not checked in the middle, and corners that stop a step not
+/// longer than this are searched around the last vertex.
+constexpr double short_step = 4;
+/// Steps shorter than this give way to a search all around, pixels.
+constexpr double shortest_step = 1;
+/// How much a step grows after one that held. A located point costs the bisections that its guess
+/// leaves open, growing with the logarithm of this, and saves the same logarithm of steps.
+constexpr double growth = 4;
+/// At a corner the outline may turn this far off straight on, either way, degrees; the rest is the
+/// way it came.
+constexpr double widest_turn = 160;
+
+enum class Side { left, right };
+
+/// Result of looking for the outline along a line across it.
+struct Crossing {
+    std::optional<glm::dvec2> at;  ///< within position_error
+    Side unexpected = Side::left;  ///< else: the side that did not show its surface
+};
+
+/// Result of following a side of a straight strip to where it changes.
+struct Departure {
+    enum class Kind { crossing, junction, none } kind;
+    glm::dvec2 at;  ///< none: the outline stays in the strip up to here
+};
+
+/// Result of looking all around.
+struct Turn {
+    std::optional<glm::dvec2> at;
+    bool third = false;  ///< a third surface was met
+};
+
+bool finite(glm::dvec2 p) { return std::isfinite(p.x) && std::isfinite(p.y); }
+
+}  // namespace
+
+class OutlineTracer::Walk {
+   public:
+    Walk(const Sample& a, const Sample& b, glm::ivec2 image_size, const OutlineOptions& options)
+        : options_(options), size_(image_size), trace_(trace(a, b)) {
+        options_.flatness = std::min(options_.flatness, .5);
+        const bool bracket = identity(a) != identity(b) && identity(a) != nothing_known &&
+                             identity(b) != nothing_known && finite(a.position) &&
+                             finite(b.position);
+        if (bracket) {
+            trace_.start();
+        } else {
+            finished_ = true;
+        }
+        settle();
+    }
+
+    std::optional<glm::dvec2> next() {
+        const auto wanted = channel_.take();
+        outstanding_ = outstanding_ || wanted.has_value();
+        return wanted;
+    }
+
+    void accept(const Sample& probe) {
+        assert(outstanding_);
+        outstanding_ = false;
+        ++outline_.probes;
+        channel_.answer(identity(probe));
+        if (!trace_.finished() && outline_.probes >= options_.most_probes) {
+            finished_ = true;
+            channel_.take();
+        }
+        settle();
+    }
+
+    bool done() const { return finished_; }
+    const Outline& outline() const { return outline_; }
+
+   private:
+    std::int64_t identity(const Sample& s) const {
+        return s.failed ? nothing_known : std::int64_t{options_.identity(s)};
+    }
+    auto ask(glm::dvec2 p) { return channel_.ask(p); }
+    bool inside(glm::dvec2 p) const {
+        return p.x >= 0 && p.y >= 0 && p.x <= size_.x && p.y <= size_.y;
+    }
+
+    void settle();
+    Routine<bool> trace(Sample a, Sample b);
+    Routine<bool> follow(OutlineRun& run, double step);
+    Routine<bool> refine(OutlineRun& run, std::optional<Circle> arc, glm::dvec2 b);
+    Routine<bool> around_corner(OutlineRun& run, double radius);
+    Routine<Crossing> cross(const OutlineRun& run, glm::dvec2 at, glm::dvec2 normal, double width,
+                            double limit);
+    Routine<Departure> leave(const OutlineRun& run, double far, Side side);
+    Routine<Turn> turn(const OutlineRun& run, double half_angle, double radius);
+
+    OutlineOptions options_;
+    glm::dvec2 size_;
+    std::optional<OutlineRun> ahead_, behind_;
+    Channel<glm::dvec2, std::int64_t> channel_;
+    bool outstanding_ = false, finished_ = false;
+    Outline outline_;
+    Routine<bool> trace_;  // last: its frames refer to the members above
+};
+
+/// Bisects the seed, then walks ahead, and, unless that came back to the start, behind.
+Routine<bool> OutlineTracer::Walk::trace(Sample a, Sample b) {
+    const std::int64_t left = identity(a);
+    std::int64_t right = identity(b);
+    glm::dvec2 p = a.position, q = b.position;
+    // The bracket may be no longer than the error allowed even before its first bisection.
+    const glm::dvec2 apart = p - q;
+    if (!(glm::length(apart) > 0)) co_return false;
+    while (glm::distance(p, q) > 2 * options_.position_error) {
+        const glm::dvec2 mid = (p + q) / 2.;
+        const std::int64_t id = co_await ask(mid);
+        if (id == left) {
+            p = mid;
+        } else {
+            q = mid;
+            right = id;
+        }
+    }
+    const glm::dvec2 start = (p + q) / 2.;
+    if (right == nothing_known || !inside(start)) co_return false;
+
+    const glm::dvec2 normal = glm::normalize(apart);
+    ahead_.emplace(start, glm::dvec2(-normal.y, normal.x), left, right, size_, options_);
+    const double first = options_.first_step;
+    Turn second = co_await turn(*ahead_, 90, first);
+    if (!second.at) {
+        ahead_->finish(second.third ? OutlineEnd::junction : OutlineEnd::lost);
+    } else {
+        ahead_->append(*second.at);
+    }
+    bool go_on = co_await follow(*ahead_, growth * first);
+    if (ahead_->end() == OutlineEnd::closed) co_return true;
+    behind_.emplace(ahead_->reversed());
+    const double step = std::max(first, growth * behind_->smooth_length());
+    go_on = co_await follow(*behind_, std::min(step, options_.longest_step));
+    co_return go_on;
+}
+
+/// Walks until the run ends.
+Routine<bool> OutlineTracer::Walk::follow(OutlineRun& run, double step) {
+    while (!run.end()) {
+        step = std::min({step, options_.longest_step, run.distance_to_border() + .5});
+        const OutlineRun::Guess guess = run.guess(step);
+        step = guess.reach;
+        const double width = std::max(guess.uncertainty, options_.position_error);
+        const double limit = step <= 2 * short_step ? step / 2 : std::max(step / 4, 2 * width);
+        const Crossing found = co_await cross(run, guess.at, guess.left, width, limit);
+        if (found.at) {
+            const double length = glm::distance(run.last(), *found.at);
+            if (length <= short_step) {
+                run.append(*found.at);
+                step *= growth;
+                continue;
+            }
+            const std::optional<Circle> arc = run.arc_to(*found.at);
+            const bool straight = co_await refine(run, arc, *found.at);
+            step = straight ? step * growth : step / 2;
+        } else if (step > short_step) {
+            const Departure departure = co_await leave(run, step, found.unexpected);
+            if (departure.kind == Departure::Kind::none) {
+                step /= growth;
+                continue;
+            }
+            run.append(departure.at);
+            if (departure.kind == Departure::Kind::junction) {
+                run.finish(OutlineEnd::junction);
+            } else if (!run.end()) {
+                const bool turned = co_await around_corner(run, options_.first_step);
+                step = turned ? growth * options_.first_step : step;
+            }
+        } else if (step > shortest_step) {
+            step /= 2;
+        } else {
+            const bool turned = co_await around_corner(run, shortest_step);
+            step = turned ? growth * shortest_step : step;
+        }
+    }
+    co_return true;
+}
+
+/// Appends the curve from the run's last vertex to the located point `b`, checked in the middle
+/// against `arc` (or the chord), in halves where the check shows a bend. False: it ran into
+/// something on the way, or bends more than the steps so far knew.
+///
+///            mid
+///         .───●───.        ● located
+///       /           \      the chord's middle would be below
+///      ● last        ● b
+Routine<bool> OutlineTracer::Walk::refine(OutlineRun& run, std::optional<Circle> arc,
+                                          glm::dvec2 b) {
+    const glm::dvec2 a = run.last();
+    const double length = glm::distance(a, b);
+    if (length <= short_step / 2) {
+        run.append(b);
+        co_return true;
+    }
+    glm::dvec2 expected = (a + b) / 2.;
+    if (arc) expected = turned(*arc, a, angle_between(*arc, a, b) / 2);
+    const glm::dvec2 normal = left_of((b - a) / length);
+    const double width = options_.position_error;
+    const double limit = std::max(2 * options_.flatness, length / 8);
+    const Crossing mid = co_await cross(run, expected, normal, width, limit);
+    if (!mid.at) co_return false;
+
+    if (glm::distance(*mid.at, expected) <= std::max(options_.flatness, 2 * width)) {
+        run.append_arc(*mid.at, b);
+        co_return true;
+    }
+    const std::optional<Circle> through = circle_through(a, *mid.at, b);
+    const bool first = co_await refine(run, through, *mid.at);
+    if (run.last() == *mid.at && !run.end()) {
+        co_await refine(run, through, b);
+    }
+    co_return first && false;
+}
+
+/// Looks all around the last vertex for the way on; ends the run where there is none.
+Routine<bool> OutlineTracer::Walk::around_corner(OutlineRun& run, double radius) {
+    const Turn next = co_await turn(run, widest_turn, radius);
+    if (!next.at) {
+        run.finish(next.third ? OutlineEnd::junction : OutlineEnd::lost);
+        co_return false;
+    }
+    run.corner(glm::normalize(*next.at - run.last()));
+    run.append(*next.at);
+    co_return true;
+}
+
+/// Finds the outline on the line through `at` along `normal` (which points left): brackets it by
+/// `width`, gallops on to whichever side it is on up to `limit`, and bisects.
+Routine<Crossing> OutlineTracer::Walk::cross(const OutlineRun& run, glm::dvec2 at,
+                                             glm::dvec2 normal, double width, double limit) {
+    double high = width, low = -width;  // where the left, the right surface is seen
+    std::int64_t id = co_await ask(at + high * normal);
+    if (id == run.left) {
+        id = co_await ask(at + low * normal);
+        while (id == run.left && 2 * low - width >= -limit) {
+            high = low;
+            low = 2 * low - width;
+            id = co_await ask(at + low * normal);
+        }
+        if (id != run.right) co_return Crossing{std::nullopt, Side::right};
+    } else {
+        while (id == run.right && 2 * high + width <= limit) {
+            low = high;
+            high = 2 * high + width;
+            id = co_await ask(at + high * normal);
+        }
+        if (id != run.left) co_return Crossing{std::nullopt, Side::left};
+    }
+    while (high - low > 2 * options_.position_error * 1.0001) {
+        const double mid = (low + high) / 2;
+        id = co_await ask(at + mid * normal);
+        if (id != run.left && id != run.right) co_return Crossing{std::nullopt, Side::left};
+        (id == run.left ? high : low) = mid;
+    }
+    co_return Crossing{at + (low + high) / 2 * normal, Side::left};
+}
+
+/// A guess up to `far` pixels straight on failed on one side. Finds where that side of the strip
+/// along the tangent first changes: the outline crosses it there, or a third surface begins.
+///
+///     - - - - - - - - - - - -.- - - -     left side of the strip: left surface up to here,
+///     ●─────────────────────/─────────    then the right one (crossing) or a third (junction)
+///     - - - - - - - - - - -/- - - - - -
+Routine<Departure> OutlineTracer::Walk::leave(const OutlineRun& run, double far, Side side) {
+    const glm::dvec2 from = run.last(), along = run.direction(), left = left_of(along);
+    // Wide enough for the last vertex to be in it for sure, narrow enough to count as straight.
+    const double offset = std::max(2 * options_.position_error, .8 * options_.flatness);
+    const auto place = [&](double t, Side s) {
+        return from + t * along + (s == Side::left ? offset : -offset) * left;
+    };
+    const auto wanted = [&](Side s) { return s == Side::left ? run.left : run.right; };
+    double good = 0, bad = far;
+    std::int64_t shown = wanted(side);
+    while (true) {
+        while (bad - good > options_.junction_error) {
+            const double t = (good + bad) / 2;
+            const std::int64_t id = co_await ask(place(t, side));
+            (id == wanted(side) ? good : bad) = t;
+            if (id != wanted(side)) shown = id;
+        }
+        // The other side may have changed earlier.
+        const Side other = side == Side::left ? Side::right : Side::left;
+        const std::int64_t id = co_await ask(place(good, other));
+        if (id == wanted(other) || good == 0) break;
+        side = other;
+        shown = id;
+        bad = good;
+        good = 0;
+    }
+    const Side other = side == Side::left ? Side::right : Side::left;
+    const double t = (good + bad) / 2;
+    if (shown == wanted(side)) co_return Departure{Departure::Kind::none, from + good * along};
+    if (shown == wanted(other)) co_return Departure{Departure::Kind::crossing, place(t, side)};
+    const std::int64_t id = co_await ask(from + good * along);
+    const double lateral = id == run.left ? -offset / 2 : id == run.right ? offset / 2 : 0.;
+    co_return Departure{Departure::Kind::junction, from + t * along + lateral * left};
+}
+
+/// Finds the outline on the circle around the last vertex, within `half_angle` degrees of straight
+/// on; on a smaller circle where that shows a third surface or not the two expected.
+Routine<Turn> OutlineTracer::Walk::turn(const OutlineRun& run, double half_angle, double radius) {
+    const glm::dvec2 centre = run.last(), ahead = run.direction(), left = left_of(ahead);
+    const double widest = half_angle * std::numbers::pi / 180;
+    bool third = false;
+    for (; radius >= options_.smallest_feature; radius /= 2) {
+        const auto place = [&](double angle) {
+            return centre + radius * (std::cos(angle) * ahead + std::sin(angle) * left);
+        };
+        double high = widest, low = -widest;
+        std::int64_t id = co_await ask(place(high));
+        bool clear = id == run.left;
+        third = third || (id != run.left && id != run.right);
+        if (clear) {
+            id = co_await ask(place(low));
+            clear = id == run.right;
+            third = third || (id != run.left && id != run.right);
+        }
+        while (clear && (high - low) * radius > 2 * options_.position_error) {
+            const double mid = (low + high) / 2;
+            id = co_await ask(place(mid));
+            clear = id == run.left || id == run.right;
+            third = third || !clear;
+            (id == run.left ? high : low) = mid;
+        }
+        if (clear) co_return Turn{place((low + high) / 2), third};
+    }
+    co_return Turn{std::nullopt, third};
+}
+
+/// Once the walk is over, makes the outline of what it found.
+void OutlineTracer::Walk::settle() {
+    if (!finished_ && trace_.finished()) {
+        trace_.result();
+        finished_ = true;
+    }
+    if (!finished_ || !ahead_) return;
+    Polyline line;
+    if (behind_) line.assign(behind_->vertices().rbegin(), behind_->vertices().rend() - 1);
+    line.insert(line.end(), ahead_->vertices().begin(), ahead_->vertices().end());
+    outline_.closed = ahead_->end() == OutlineEnd::closed;
+    outline_.end = ahead_->end().value_or(OutlineEnd::lost);
+    outline_.begin = behind_ ? behind_->end().value_or(OutlineEnd::lost) : outline_.end;
+    outline_.left = static_cast<std::uint32_t>(ahead_->left);
+    outline_.right = static_cast<std::uint32_t>(ahead_->right);
+    outline_.vertices = simplify(line, options_.flatness, outline_.closed);
+    if (outline_.vertices.size() < 2) outline_.vertices.clear();
+}
+
+OutlineTracer::OutlineTracer(const Sample& a, const Sample& b, glm::ivec2 image_size,
+                             const OutlineOptions& options)
+    : walk_(std::make_unique<Walk>(a, b, image_size, options)) {}
+OutlineTracer::~OutlineTracer() = default;
+OutlineTracer::OutlineTracer(OutlineTracer&&) noexcept = default;
+OutlineTracer& OutlineTracer::operator=(OutlineTracer&&) noexcept = default;
+
+std::optional<glm::dvec2> OutlineTracer::next() { return walk_->next(); }
+void OutlineTracer::accept(const Sample& probe) { walk_->accept(probe); }
+bool OutlineTracer::done() const { return walk_->done(); }
+const Outline& OutlineTracer::outline() const { return walk_->outline(); }
+
+}  // namespace povpreview
