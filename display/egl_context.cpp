@@ -18,11 +18,11 @@ namespace povpreview {
 
 namespace {
 
-#define POVPREVIEW_EGL_FUNCTIONS(X)                                                            \
-    X(GetProcAddress)                                                                          \
-    X(GetError)                                                                                \
-    X(QueryString) X(Initialize) X(BindAPI) X(ChooseConfig) X(CreateContext) X(DestroyContext) \
-        X(MakeCurrent)
+#define POVPREVIEW_EGL_FUNCTIONS(X) \
+    X(GetProcAddress)               \
+    X(GetError)                     \
+    X(QueryString)                  \
+    X(Initialize) X(BindAPI) X(ChooseConfig) X(CreateContext) X(DestroyContext) X(MakeCurrent)
 
 struct EglLibrary {
 #define POVPREVIEW_DECLARE(name) decltype(&egl##name) name = nullptr;

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+
+#include "display/image.h"
+
+namespace povpreview {
+
+enum class FileFormat {
+    png8,       ///< 8 bit a channel, sRGB-encoded
+    png16,      ///< 16 bit a channel, sRGB-encoded
+    exr_half,   ///< linear light, 16-bit float
+    exr_float,  ///< linear light, 32-bit float
+};
+
+/// What a path's extension asks for: png16 for ".png", exr_half for ".exr", in any case. Anything
+/// else throws Error(Exit::usage); so a wrong name can be refused before hours of work.
+FileFormat format_for(const std::filesystem::path& path);
+
+/// Writes an image of linear light, all or nothing (see write_file). PNG is encoded and rounded as
+/// POV-Ray does it (+FN8, +FN16), so that equal colours give equal files; what no display can show
+/// is clamped there, and not-a-number is written as 0. EXR keeps every value.
+/// Throws Error(Exit::usage) with the path, the cause and a remedy.
+void write_image(const Image& linear, const std::filesystem::path& path, FileFormat format);
+inline void write_image(const Image& linear, const std::filesystem::path& path) {
+    write_image(linear, path, format_for(path));
+}
+
+/// Reads an image as it stands in the file, without decoding: the channels of a PNG come as
+/// encoded values in [0, 1]. Grey becomes equal channels; alpha is left out.
+/// Throws Error(Exit::usage) with the path, the cause and a remedy.
+Image read_image(const std::filesystem::path& path);
+
+}  // namespace povpreview
