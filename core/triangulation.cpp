@@ -37,6 +37,40 @@ class Watched : public Base {
         touched.push_back(v);
     }
 
+    /// CGAL's insert_constraint, step by step so as to note every vertex on the way: CGAL is silent
+    /// where the constraint runs along edges that are there already.
+    void constrain(Vertex_handle from, Vertex_handle to) {
+        std::vector<std::pair<Vertex_handle, Vertex_handle>> pending{{from, to}};
+        while (!pending.empty()) {
+            auto [a, b] = pending.back();
+            pending.pop_back();
+            touch(a);
+            touch(b);
+            Vertex_handle next;  // the first vertex on the way from a to b
+            Face_handle face;
+            int index = 0;
+            if (includes_edge(a, b, next, face, index)) {
+                mark_constraint(face, index);
+            } else {
+                List_faces crossed;
+                List_edges left, right;
+                if (find_intersected_faces(a, b, crossed, left, right, next)) {
+                    // It met a constraint, which now ends in `next`.
+                    if (next == a || next == b) {
+                        pending.emplace_back(a, b);
+                    } else {
+                        pending.emplace_back(next, b);
+                        pending.emplace_back(a, next);
+                    }
+                    continue;
+                }
+                triangulate_hole(crossed, left, right);
+            }
+            touch(next);
+            if (next != b) pending.emplace_back(next, b);
+        }
+    }
+
    protected:
     // CGAL inserts the crossings of constraints by these two.
     Vertex_handle virtual_insert(const Point& p, Face_handle start) override {
@@ -49,6 +83,23 @@ class Watched : public Base {
         Vertex_handle v = Base::insert(p, type, face, index);
         touch(v);
         return v;
+    }
+    // As CGAL's, but with our `constrain` for the halves of the constraint that is crossed.
+    Vertex_handle intersect(Face_handle face, int index, Vertex_handle a,
+                            Vertex_handle b) override {
+        Vertex_handle c = face->vertex(cw(index)), d = face->vertex(ccw(index));
+        touch(c);
+        touch(d);
+        Vertex_handle crossing =
+            insert_intersection(face, index, a, b, c, d, a->point(), b->point(), c->point(),
+                                d->point(), CGAL::Exact_predicates_tag());
+        if (crossing != c && crossing != d) {
+            constrain(c, crossing);
+            constrain(crossing, d);
+        } else {
+            constrain(c, d);
+        }
+        return crossing;
     }
     // A constraint replaces the faces that it crosses; all new edges end on the hole's rim.
     void triangulate_hole(List_faces& faces, List_edges& left, List_edges& right) override {
@@ -105,29 +156,17 @@ struct Triangulation::Impl {
         return count;
     }
 
-    /// Names new vertices and brings the counts of constraints up to date. CGAL is silent where a
-    /// constraint runs along edges that are there already, so the change is followed along them.
+    /// Names new vertices and brings the counts of constraints up to date.
     void finish() {
         std::size_t sum_before = 0, sum_after = 0;
-        for (std::size_t i = 0; i < cdt.touched.size(); ++i) {
-            Handle v = cdt.touched[i];
+        for (Handle v : cdt.touched) {
             if (!v->info().id.valid()) name(v);
-            const std::uint32_t now = count_constraints(v);
             sum_before += v->info().constraints;
-            sum_after += now;
-            if (now == v->info().constraints && now == 0) continue;
-            v->info().constraints = now;
-            auto edge = cdt.incident_edges(v), end = edge;
-            do {
-                if (!edge->first->is_constrained(edge->second)) continue;
-                Handle w = edge->first->vertex(cdt.cw(edge->second));
-                if (w == v) w = edge->first->vertex(cdt.ccw(edge->second));
-                if (!w->info().touched && count_constraints(w) != w->info().constraints)
-                    cdt.touch(w);
-            } while (++edge != end);
+            v->info().constraints = count_constraints(v);
+            sum_after += v->info().constraints;
+            touched.push_back(v->info().id);
         }
-        constraints += (sum_after - sum_before) / 2;  // each edge is counted at both ends
-        for (Handle v : cdt.touched) touched.push_back(v->info().id);
+        constraints = (2 * constraints + sum_after - sum_before) / 2;  // counted at both ends
     }
 
     Insertion insert(glm::dvec2 p, VertexId near) {
@@ -161,9 +200,7 @@ struct Triangulation::Impl {
 
     void constrain(VertexId a, VertexId b) {
         if (a == b) return;
-        cdt.touch(handle(a));
-        cdt.touch(handle(b));
-        cdt.insert_constraint(handle(a), handle(b));
+        cdt.constrain(handle(a), handle(b));
     }
 };
 
