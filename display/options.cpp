@@ -116,7 +116,7 @@ void read_preview(const std::vector<std::string>& words, CommandLine& result) {
     app.add_option("--log", options.log, "Write the progress there, as JSON lines")
         ->option_text("FILE");
     app.add_option("--output", options.output,
-                   "Write the last picture there: .png (8 bit), .exr (linear)")
+                   "Write the last picture there: .png (16 bit), .exr (linear)")
         ->option_text("FILE");
     add_common(app, options);
     parse(app, words, options.povray, result);

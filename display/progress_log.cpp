@@ -31,7 +31,7 @@ ProgressLog::ProgressLog(const std::filesystem::path& file) : file_(file), strea
                     file.string(), "give --log a file in a folder that you may write");
 }
 
-void ProgressLog::write(const Progress& p) {
+void ProgressLog::write(const Standing& p) {
     put(
         fmt::format("{{\"time_s\":{:.4f},\"launch_s\":{:.4f},\"full\":{},\"probe\":{},"
                     "\"albedo\":{},\"vertices\":{},\"constraints\":{},\"filled\":{},"

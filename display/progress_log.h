@@ -9,7 +9,7 @@
 namespace povpreview {
 
 /// How far a run has come; one line of the log, one row of a curve.
-struct Progress {
+struct Standing {
     double time_s = 0;                            ///< since the end of the parse
     double launch_s = 0;                          ///< since the program was started
     std::size_t full = 0, probe = 0, albedo = 0;  ///< rays answered
@@ -23,7 +23,7 @@ class ProgressLog {
     /// Throws Error(Exit::usage) if the file cannot be written.
     explicit ProgressLog(const std::filesystem::path& file);
     /// Throws Error(Exit::usage) if the disk is full.
-    void write(const Progress& progress);
+    void write(const Standing& standing);
     /// An event worth keeping, such as a fault of the tracer that was mended.
     void write_event(double time_s, const std::string& text);
 
