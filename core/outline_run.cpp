@@ -66,7 +66,12 @@ double OutlineRun::distance_to_border() const {
 std::optional<std::pair<glm::dvec2, glm::dvec2>> OutlineRun::past(double span) const {
     if (smooth_.size() < 2) return std::nullopt;
     std::size_t far = smooth_.size() - 2;
-    while (far > 0 && glm::distance(smooth_[far - 1], last()) <= span) --far;
+    // Stops where the curve has turned so far that going back along it comes nearer again.
+    while (far > 0) {
+        const double farther = glm::distance(smooth_[far - 1], last());
+        if (farther > span || farther < glm::distance(smooth_[far], last())) break;
+        --far;
+    }
     const double half = glm::distance(smooth_[far], last()) / 2;
     std::size_t near = far;
     for (std::size_t i = far; i + 1 < smooth_.size(); ++i) {
@@ -81,8 +86,9 @@ std::optional<std::pair<glm::dvec2, glm::dvec2>> OutlineRun::past(double span) c
 OutlineRun::Guess OutlineRun::guess(double step) const {
     const double e = options_.position_error;
     const auto known = past(2 * step);
-    if (!known) return {last() + step * direction_, left_of(direction_), .25 * step + e, step};
-
+    if (!known) {
+        return {last() + step * direction_, left_of(direction_), direction_, .25 * step + e, step};
+    }
     const auto [far, near] = *known;
     const double baseline = glm::distance(far, last());
     // A bend no larger than the errors of its three points is taken for a straight line.
@@ -92,7 +98,7 @@ OutlineRun::Guess OutlineRun::guess(double step) const {
     }
     if (!circle) {
         const glm::dvec2 d = unit(last() - far, direction_);
-        return {last() + step * d, left_of(d), e * (.5 + step / baseline), step};
+        return {last() + step * d, left_of(d), d, e * (.5 + step / baseline), step};
     }
     // Half the baseline is the spacing of the three points; beyond twice that, the error of the
     // extrapolated arc grows with the square and outruns what is saved.
@@ -101,8 +107,10 @@ OutlineRun::Guess OutlineRun::guess(double step) const {
     const double angle = (clockwise ? 1 : -1) * step / circle->radius;
     const glm::dvec2 at = turned(*circle, last(), angle);
     const glm::dvec2 radial = unit(at - circle->centre, {1, 0});
+    const glm::dvec2 here = left_of(unit(last() - circle->centre, {1, 0}));
     const double m = 2 * step / baseline;
-    return {at, clockwise ? radial : -radial, e * (.5 + .5 * m * (m + 2)), step};
+    return {at, clockwise ? radial : -radial, clockwise ? -here : here, e * (.5 + .5 * m * (m + 2)),
+            step};
 }
 
 std::optional<Circle> OutlineRun::arc_to(glm::dvec2 b) const {

@@ -20,6 +20,7 @@ class OutlineRun {
     struct Guess {
         glm::dvec2 at;
         glm::dvec2 left;     ///< unit normal of the outline there
+        glm::dvec2 tangent;  ///< unit tangent at the last vertex
         double uncertainty;  ///< typical error of `at` across the outline, pixels
         double reach;        ///< `step`, less where the guess would be worth nothing, pixels
     };
@@ -35,6 +36,8 @@ class OutlineRun {
     OutlineRun reversed() const;
 
     glm::dvec2 last() const { return vertices_.back(); }
+    /// REQUIRES: two vertices.
+    glm::dvec2 before_last() const { return vertices_[vertices_.size() - 2]; }
     /// Unit tangent at the last vertex, as far as is known.
     glm::dvec2 direction() const { return direction_; }
     /// Pixels from the last vertex straight on to the image's border.

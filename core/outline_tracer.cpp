@@ -19,7 +19,7 @@ namespace {
 constexpr std::int64_t nothing_known = -1;
 /// Steps up to this many pixels are not checked in the middle, and corners that stop a step not
 /// longer than this are searched around the last vertex.
-constexpr double short_step = 4;
+constexpr double short_step = 8;
 /// Steps shorter than this give way to a search all around, pixels.
 constexpr double shortest_step = 1;
 /// How much a step grows after one that held. A located point costs the bisections that its guess
@@ -103,10 +103,11 @@ class OutlineTracer::Walk {
     Routine<bool> trace(Sample a, Sample b);
     Routine<bool> follow(OutlineRun& run, double step);
     Routine<bool> refine(OutlineRun& run, std::optional<Circle> arc, glm::dvec2 b);
+    Routine<double> resume(OutlineRun& run, double covered);
     Routine<bool> around_corner(OutlineRun& run, double radius);
     Routine<Crossing> cross(const OutlineRun& run, glm::dvec2 at, glm::dvec2 normal, double width,
                             double limit);
-    Routine<Departure> leave(const OutlineRun& run, double far, Side side);
+    Routine<Departure> leave(const OutlineRun& run, glm::dvec2 along, double far, Side side);
     Routine<Turn> turn(const OutlineRun& run, double half_angle, double radius);
 
     OutlineOptions options_;
@@ -167,26 +168,32 @@ Routine<bool> OutlineTracer::Walk::follow(OutlineRun& run, double step) {
         const Crossing found = co_await cross(run, guess.at, guess.left, width, limit);
         if (found.at) {
             const double length = glm::distance(run.last(), *found.at);
-            if (length <= short_step) {
-                run.append(*found.at);
+            const std::optional<Circle> arc = run.arc_to(*found.at);
+            const double bend = arc ? angle_between(*arc, run.last(), *found.at) : 0;
+            const bool as_guessed = glm::distance(*found.at, guess.at) <= width;
+            if (length <= short_step / 2 || (length <= short_step && as_guessed)) {
+                if (arc) {
+                    run.append_arc(turned(*arc, run.last(), bend / 2), *found.at);
+                } else {
+                    run.append(*found.at);
+                }
                 step *= growth;
                 continue;
             }
-            const std::optional<Circle> arc = run.arc_to(*found.at);
             const bool straight = co_await refine(run, arc, *found.at);
             step = straight ? step * growth : step / 2;
         } else if (step > short_step) {
-            const Departure departure = co_await leave(run, step, found.unexpected);
+            const Departure departure = co_await leave(run, guess.tangent, step, found.unexpected);
             if (departure.kind == Departure::Kind::none) {
                 step /= growth;
                 continue;
             }
+            const double covered = glm::distance(run.last(), departure.at);
             run.append(departure.at);
             if (departure.kind == Departure::Kind::junction) {
                 run.finish(OutlineEnd::junction);
             } else if (!run.end()) {
-                const bool turned = co_await around_corner(run, options_.first_step);
-                step = turned ? growth * options_.first_step : step;
+                step = co_await resume(run, covered);
             }
         } else if (step > shortest_step) {
             step /= 2;
@@ -196,6 +203,22 @@ Routine<bool> OutlineTracer::Walk::follow(OutlineRun& run, double step) {
         }
     }
     co_return true;
+}
+
+/// Goes on after the outline left a straight strip `covered` pixels long: along the bend, if it is
+/// one, else from the corner. Returns the next step, pixels.
+Routine<double> OutlineTracer::Walk::resume(OutlineRun& run, double covered) {
+    if (covered > 2 * shortest_step) {
+        const OutlineRun::Guess bend = run.guess(std::min(covered, short_step));
+        const double width = std::max(bend.uncertainty, 2 * options_.position_error);
+        const Crossing found = co_await cross(run, bend.at, bend.left, width, width);
+        if (found.at) {
+            run.append(*found.at);
+            co_return 2 * covered;
+        }
+    }
+    const bool turned = co_await around_corner(run, options_.first_step);
+    co_return turned ? growth* glm::distance(run.last(), run.before_last()) : shortest_step;
 }
 
 /// Appends the curve from the run's last vertex to the located point `b`, checked in the middle
@@ -278,13 +301,15 @@ Routine<Crossing> OutlineTracer::Walk::cross(const OutlineRun& run, glm::dvec2 a
 }
 
 /// A guess up to `far` pixels straight on failed on one side. Finds where that side of the strip
-/// along the tangent first changes: the outline crosses it there, or a third surface begins.
+/// along the tangent `along` first changes: the outline crosses it there, or a third surface
+/// begins.
 ///
 ///     - - - - - - - - - - - -.- - - -     left side of the strip: left surface up to here,
 ///     ●─────────────────────/─────────    then the right one (crossing) or a third (junction)
 ///     - - - - - - - - - - -/- - - - - -
-Routine<Departure> OutlineTracer::Walk::leave(const OutlineRun& run, double far, Side side) {
-    const glm::dvec2 from = run.last(), along = run.direction(), left = left_of(along);
+Routine<Departure> OutlineTracer::Walk::leave(const OutlineRun& run, glm::dvec2 along, double far,
+                                              Side side) {
+    const glm::dvec2 from = run.last(), left = left_of(along);
     // Wide enough for the last vertex to be in it for sure, narrow enough to count as straight.
     const double offset = std::max(2 * options_.position_error, .8 * options_.flatness);
     const auto place = [&](double t, Side s) {
@@ -344,7 +369,17 @@ Routine<Turn> OutlineTracer::Walk::turn(const OutlineRun& run, double half_angle
             third = third || !clear;
             (id == run.left ? high : low) = mid;
         }
-        if (clear) co_return Turn{place((low + high) / 2), third};
+        const glm::dvec2 found = place((low + high) / 2);
+        if (clear && radius > 2 * options_.flatness) {
+            // Nearer, on the way there, may be a corner that the circle jumped over.
+            const glm::dvec2 mid = (centre + found) / 2.;
+            const glm::dvec2 aside = options_.flatness * left_of((found - centre) / radius);
+            id = co_await ask(mid + aside);
+            clear = id == run.left;
+            id = co_await ask(mid - aside);
+            clear = clear && id == run.right;
+        }
+        if (clear) co_return Turn{found, third};
     }
     co_return Turn{std::nullopt, third};
 }
@@ -357,6 +392,8 @@ void OutlineTracer::Walk::settle() {
     }
     if (!finished_ || !ahead_) return;
     Polyline line;
+    const bool closed_behind = behind_ && behind_->end() == OutlineEnd::closed;
+    if (closed_behind) ahead_.emplace(*behind_), behind_.reset();
     if (behind_) line.assign(behind_->vertices().rbegin(), behind_->vertices().rend() - 1);
     line.insert(line.end(), ahead_->vertices().begin(), ahead_->vertices().end());
     outline_.closed = ahead_->end() == OutlineEnd::closed;
