@@ -18,14 +18,15 @@
 
 global_settings {
   assumed_gamma 1.0
-  max_trace_level 8
+  max_trace_level 7
+  adc_bailout 0.015
 }
 
 camera {
   location <3, 25, -74>
   right x * 4 / 3
-  angle 39
-  look_at <0.5, 6.2, 0>
+  angle 40
+  look_at <0.9, 6.0, 0>
 }
 
 // ---------------------------------------------------------------------------------------------
@@ -96,9 +97,7 @@ union {
     pigment { rgbf <0.985, 0.995, 0.99, 0.98> }
     finish {
       ambient 0
-      diffuse 0.01
-      specular 0.3
-      roughness 0.003
+      diffuse 0
       reflection { 0.03, 0.9 fresnel on }
       conserve_energy
     }
@@ -109,7 +108,7 @@ union {
 #declare Wine = material {
   texture {
     pigment { rgbf <0.72, 0.05, 0.08, 0.95> }
-    finish { ambient 0 diffuse 0.03 reflection { 0.02, 0.5 fresnel on } conserve_energy }
+    finish { ambient 0 diffuse 0 reflection { 0.02, 0.5 fresnel on } conserve_energy }
   }
   interior {
     ior 1.34
@@ -123,13 +122,13 @@ union {
   texture {
     pigment {
       wood
-      turbulence 0.05
+      turbulence 0.09
       octaves 4
       omega 0.6
       color_map {
         [0.0 color Light]
-        [0.5 color Light * 0.4 + Dark * 0.6]
-        [0.8 color Dark]
+        [0.45 color Light * 0.6 + Dark * 0.4]
+        [0.85 color Dark]
         [1.0 color Light]
       }
       scale <1.7, 1.7, 40>
@@ -195,8 +194,8 @@ plane {
 #declare Bend = 0.8;
 #declare ClothW = 34;
 #declare ClothL = 46;
-#declare ClothNU = 80;
-#declare ClothNV = 72;
+#declare ClothNU = 60;
+#declare ClothNV = 54;
 
 #macro ClothPoint(U, V)
   #local Flat = vrotate(<(U - 0.5) * ClothW, 0, -V * ClothL>, y * -14) + <-4.5, 0, 15>;
@@ -374,7 +373,7 @@ object {
         }
         scale 2.86
       }
-      normal { granite 0.12 scale 0.8 }
+      normal { bumps 0.3 scale <0.3, 0.3, 0.3> }
       Glossy(1.2)
     }
   }
@@ -524,7 +523,7 @@ object {
 // ---------------------------------------------------------------------------------------------
 #declare OnCloth = 0.3;
 
-object { Jug rotate y * 155 translate <-19, 0, 9> }
+object { Jug rotate y * 155 translate <-17.5, 0, 10> }
 
 union { // the bowl and what it holds
   object { Bowl }
@@ -540,6 +539,9 @@ object { WineGlass rotate y * 20 translate <15.5, 0, 5> }
 object { Grapes rotate y * 24 translate <-12.5, OnCloth, -11.5> }
 object { HalfLemon rotate <-62, 0, 0> rotate y * -18 translate <7.6, 2.5, -12.5> }
 object { LemonShape rotate z * 84 rotate y * 35 translate <12.6, 2.75, -9.4> }
-sphere { <21, 4.2, -8>, 4.2 material { Glass } }
+sphere {
+  <20.5, 4.2, -7>, 4.2
+  material { Glass }
+}
 object { Cherry rotate y * 160 translate <0.4, OnCloth, -15.0> }
 object { Cherry rotate <0, 0, 4> rotate y * 200 translate <2.9, OnCloth, -14.2> }
