@@ -8,41 +8,25 @@
 
 #include "adapter/povray_options.h"
 #include "core/error_measures.h"
-#include "core/methods.h"
-#include "core/session.h"
 #include "display/curves.h"
 #include "display/image_file.h"
 #include "display/interrupt.h"
 #include "display/offscreen.h"
 #include "display/progress_line.h"
 #include "display/reference.h"
-#include "display/traced_scene.h"
+#include "display/schedule.h"
+#include "display/strategy_run.h"
 
 namespace povpreview {
 namespace {
 
 using namespace std::chrono_literals;
 
-/// A picture is taken at these seconds since the parse, and at the end: equal for all methods.
-constexpr double first_picture_s = .02, step_between_pictures = 1.5;
-
-/// What a method had at one of those moments; its error is measured after the run.
+/// What a method had at one moment of the schedule; its error is measured after the run.
 struct Moment {
     Standing standing;
     Picture picture;
 };
-
-Standing standing_of(TracedScene& scene, const Session& session, const Previewer& previewer) {
-    Standing p;
-    p.time_s = scene.time_s();
-    p.launch_s = scene.launch_s();
-    p.full = session.counts().full;
-    p.probe = session.counts().probe;
-    p.albedo = session.counts().albedo;
-    p.busy = scene.oracle().statistics().busy;
-    p.statistics = previewer.statistics();
-    return p;
-}
 
 class Comparison {
    public:
@@ -63,31 +47,26 @@ class Comparison {
 
    private:
     std::vector<Moment> trace(const std::string& method) {
-        TracedScene scene(read_povray_words(options_.povray).tracer_arguments(),
-                          options_.stall_timeout,
-                          [&](const std::string& text) { line_.show(method + ": " + text); },
-                          interrupted);
-        const SceneDescription& description = scene.description();
-        check_size(description);
-        const auto previewer = make_previewer(method, description.width, description.height);
-        Session session(scene.oracle(), *previewer);
+        TracedScene scene(
+            read_povray_words(options_.povray).tracer_arguments(), options_.stall_timeout,
+            [&](const std::string& text) { line_.show(method + ": " + text); }, interrupted);
+        check_size(scene.description());
+        StrategyRun run(method, scene, scene.oracle());
         std::vector<Moment> moments;
         // Copying the picture is not part of the method's work, and is left off the clock.
         const auto take = [&] {
-            const Standing standing = standing_of(scene, session, *previewer);
+            const Standing standing = run.standing();
             scene.off_the_clock([&] {
-                moments.push_back({standing, previewer->picture(Overlay::none)});
+                moments.push_back({standing, run.previewer().picture(Overlay::none)});
                 line_.show(fmt::format("{}: {:.1f} s, {} samples", method, standing.time_s,
                                        standing.full));
             });
         };
-        double next = first_picture_s;
+        GeometricSchedule schedule;
         bool going = true;
         while (going && !interrupted() && !(options_.time && scene.time_s() >= *options_.time)) {
-            going = session.advance(2ms);
-            if (scene.time_s() < next || session.counts().full == 0) continue;
-            take();
-            while (next <= scene.time_s()) next *= step_between_pictures;
+            going = run.session().advance(2ms);
+            if (run.samples() > 0 && schedule.due(scene.time_s())) take();
         }
         take();
         return moments;
@@ -109,8 +88,8 @@ class Comparison {
                 offscreen_.render(moment.picture, reference_.width, reference_.height);
             const ErrorMeasures error = measure_error(image.pixels, reference_.pixels);
             curves_.push_back({method, moment.standing, error.l1, error.rmse});
-            write_image(image, options_.out / fmt::format("{}-{:08.3f}s.png", method,
-                                                          moment.standing.time_s));
+            write_image(image, options_.out /
+                                   fmt::format("{}-{:08.3f}s.png", method, moment.standing.time_s));
         }
         line_.clear();
     }

@@ -118,6 +118,9 @@ void read_preview(const std::vector<std::string>& words, CommandLine& result) {
     app.add_option("--output", options.output,
                    "Write the last picture there: .png (16 bit), .exr (linear)")
         ->option_text("FILE");
+    app.add_option("--reference", options.reference,
+                   "Finished picture of the same size; captions then tell the error against it")
+        ->option_text("FILE");
     add_common(app, options);
     parse(app, words, options.povray, result);
     if (!result.text.empty()) return;

@@ -24,6 +24,7 @@ struct PreviewOptions {
     Backend backend = Backend::automatic;
     std::optional<glm::ivec2> size;                ///< of pictures, where it is not the scene's
     std::filesystem::path snapshots, log, output;  ///< empty: not wanted
+    std::filesystem::path reference;  ///< finished picture that captions measure against, or empty
     double stall_timeout = 60;
 };
 

@@ -47,12 +47,13 @@ Image stock_reference(const std::vector<std::string>& povray_words, const fs::pa
                    command = folder / "reference.txt";
     std::string words;
     for (const std::string& word : options.stock_arguments(half_made)) words += word + '\n';
-    if (fs::exists(image) && text_of(command) == words && newer_than_all_beside(image, options.scene))
+    if (fs::exists(image) && text_of(command) == words &&
+        newer_than_all_beside(image, options.scene))
         return read_image(image);
 
     ProgressLine line;
-    const bool complete = render_by_stock_povray(
-        options.stock_arguments(half_made), folder / "reference.log", [&] {
+    const bool complete =
+        render_by_stock_povray(options.stock_arguments(half_made), folder / "reference.log", [&] {
             line.show("rendering the reference by the stock povray");
             return interrupted();
         });
