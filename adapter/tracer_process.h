@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <sys/types.h>
+
+#include <chrono>
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace povpreview {
+
+/// Owns a file descriptor.
+class FileDescriptor {
+   public:
+    explicit FileDescriptor(int fd = -1) : fd_(fd) {}
+    ~FileDescriptor() { reset(); }
+    FileDescriptor(FileDescriptor&& other) noexcept : fd_(other.release()) {}
+    FileDescriptor& operator=(FileDescriptor&& other) noexcept {
+        if (this != &other) {
+            reset();
+            fd_ = other.release();
+        }
+        return *this;
+    }
+
+    int get() const { return fd_; }
+    bool open() const { return fd_ >= 0; }
+    void reset();
+
+   private:
+    int release() {
+        const int fd = fd_;
+        fd_ = -1;
+        return fd;
+    }
+    int fd_;
+};
+
+/// A tracer running as a child, with one end of a private stream socket to it.
+///
+/// The child gets POVPREVIEW_WIRE=<fd> in its environment, no other open descriptor, no input, no
+/// output but a pipe for its messages, a process group of its own (so that Ctrl-C reaches it only
+/// through us), and the order to die with the thread that started it (Linux ties that to the
+/// thread, not the process: start it on one that lives as long as the tracer is to live).
+class TracerProcess {
+   public:
+    /// Starts `program`, looked up in PATH if it has no slash. `environment` ("NAME=value") comes
+    /// beside our own. Throws Error if that fails.
+    TracerProcess(const std::string& program, const std::vector<std::string>& arguments,
+                  const std::vector<std::string>& environment);
+    /// Ends and reaps the child; see stop().
+    ~TracerProcess();
+    TracerProcess(const TracerProcess&) = delete;
+    TracerProcess& operator=(const TracerProcess&) = delete;
+
+    /// Sends what the socket takes now; returns the number of bytes. To a child that has gone,
+    /// everything is sent and lost: receive() tells.
+    std::size_t send(std::span<const std::byte> bytes);
+
+    enum class Received { bytes, nothing_yet, end };
+    struct Receipt {
+        Received what;
+        std::size_t size;  ///< bytes that have come
+    };
+    /// Receives what has come, never waits. `end`: the child closed its end or is dead.
+    Receipt receive(std::span<std::byte> buffer);
+
+    /// Waits until there is something to receive, or room to send if asked for, or `patience` is
+    /// over. Returns false if a signal of this process ended the wait.
+    bool wait(std::chrono::nanoseconds patience, bool to_send);
+
+    /// Ends the child: by closing the wire, then asking (SIGTERM), then by force (SIGKILL), each
+    /// after a short while. Returns how it ended, as in "the tracer ...". May be called again.
+    const std::string& stop();
+    /// The child left by itself with this exit status, or -1. Known after stop().
+    int exit_status() const { return exit_status_; }
+
+    /// The end of what it wrote to its standard error, at most a few lines.
+    std::string last_words();
+
+   private:
+    bool reaped(std::chrono::milliseconds patience);
+    void drain_messages();
+
+    pid_t pid_ = -1;
+    FileDescriptor socket_, messages_;
+    std::string words_;  ///< the last bytes of its standard error
+    std::string end_;    ///< how it ended; empty while it lives
+    int exit_status_ = -1;
+};
+
+}  // namespace povpreview

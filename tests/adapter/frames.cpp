@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "tests/adapter/frames.h"
+
+#include <cstring>
+#include <stdexcept>
+
+#include "adapter/wire_generated.h"
+
+namespace povpreview::fake {
+namespace {
+
+using Builder = flatbuffers::FlatBufferBuilder;
+
+Bytes frame(Builder& builder, wire::Report type, flatbuffers::Offset<void> report) {
+    builder.Finish(wire::CreateToPreviewer(builder, type, report), "PVPR");
+    const std::uint32_t size = builder.GetSize();
+    Bytes bytes(sizeof size + size);
+    std::memcpy(bytes.data(), &size, sizeof size);
+    std::memcpy(bytes.data() + sizeof size, builder.GetBufferPointer(), size);
+    return bytes;
+}
+
+wire::Vec3f vec3f(const glm::vec3& v) { return {v.x, v.y, v.z}; }
+
+}  // namespace
+
+Bytes hello_frame(std::uint32_t version) {
+    Builder b;
+    return frame(b, wire::Report::Hello,
+                 wire::CreateHelloDirect(b, version, "3.7.0.10 fake", 2).Union());
+}
+
+Bytes progress_frame(std::uint8_t stage, std::uint64_t done, std::uint64_t total) {
+    Builder b;
+    return frame(b, wire::Report::Progress,
+                 wire::CreateProgress(b, static_cast<wire::Stage>(stage), done, total).Union());
+}
+
+Bytes scene_frame(std::uint32_t width, std::uint32_t height) {
+    Builder b;
+    const wire::Vec3d location(1, 2, -5), direction(0, 0, 1), right(1.33, 0, 0), up(0, 1, 0),
+        sky(0, 1, 0), look_at(0, 0, 4);
+    const auto camera = wire::CreateCamera(b, wire::CameraKind::perspective, &location, &direction,
+                                           &right, &up, &sky, &look_at, 67.5, .25, 8, 30, true);
+    const wire::Vec3f white(1, 1, 1), background(.25, .5, .75);
+    const std::vector lights{
+        wire::CreateLightSource(b, wire::LightKind::area, &location, &look_at, &white, false, true,
+                                true, 3, 5, true),
+        wire::CreateLightSource(b, wire::LightKind::point, &look_at, nullptr, &white)};
+    const std::vector features{b.CreateString("reflection"), b.CreateString("area_light")};
+    const std::vector textures{wire::CreateCountDirect(b, "plain", 3)};
+    const std::vector objects{wire::CreateCountDirect(b, "sphere", 2),
+                              wire::CreateCountDirect(b, "plane", 1)};
+    return frame(b, wire::Report::Scene,
+                 wire::CreateSceneDirect(b, width, height, 2.2F, true, camera, &lights, &features,
+                                         &textures, &objects, &background)
+                     .Union());
+}
+
+Bytes failure_frame(const std::string& message, const std::string& file, std::uint32_t line) {
+    Builder b;
+    return frame(b, wire::Report::Failure,
+                 wire::CreateFailureDirect(b, message.c_str(), file.c_str(), line).Union());
+}
+
+Bytes answer_frame(const Slice& slice) {
+    std::vector<wire::Light> light;
+    std::vector<wire::Surface> surface;
+    std::vector<wire::Shading> shading;
+    std::vector<wire::Signature> signature;
+    std::vector<std::uint32_t> cost;
+    for (const Sample& s : slice.samples) {
+        light.emplace_back(vec3f(s.colour), s.transmittance);
+        surface.emplace_back(s.surface, s.depth, vec3f(s.normal));
+        shading.emplace_back(vec3f(s.albedo), vec3f(s.illumination), vec3f(s.remainder));
+        const Signature& t = s.signature;
+        signature.emplace_back(t.primary, t.lights, t.reflected, t.refracted);
+        cost.push_back(s.cost_ns);
+    }
+    const bool full = slice.kind == RayKind::full;
+    const auto if_full = [&](Parts part) { return full && contains(slice.parts, part); };
+    Builder b(slice.samples.size() * 96 + 256);
+    return frame(
+        b, wire::Report::Answer,
+        wire::CreateAnswerDirect(
+            b, slice.batch, slice.first, slice.count, full ? &light : nullptr,
+            !full || if_full(Parts::surface) ? &surface : nullptr,
+            slice.kind == RayKind::albedo || if_full(Parts::shading) ? &shading : nullptr,
+            slice.kind == RayKind::probe || if_full(Parts::signature) ? &signature : nullptr, &cost,
+            slice.failed.empty() ? nullptr : &slice.failed)
+            .Union());
+}
+
+Order decode_order(const Bytes& flatbuffer) {
+    const auto* bytes = reinterpret_cast<const std::uint8_t*>(flatbuffer.data());
+    flatbuffers::Verifier verifier(bytes, flatbuffer.size());
+    if (!verifier.VerifyBuffer<wire::ToTracer>("PVTR"))
+        throw std::runtime_error("not an order to the tracer");
+    const wire::Trace* trace = flatbuffers::GetRoot<wire::ToTracer>(bytes)->order_as_Trace();
+    if (!trace || !trace->positions()) throw std::runtime_error("an order without positions");
+    Order order{.batch = trace->batch(),
+                .kind = static_cast<RayKind>(trace->kind()),
+                .parts = static_cast<Parts>(trace->parts()),
+                .positions = {}};
+    for (const wire::Vec2d* p : *trace->positions()) order.positions.emplace_back(p->x(), p->y());
+    return order;
+}
+
+}  // namespace povpreview::fake

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/oracle.h"
+
+/// The tracer's end of the wire for tests: makes frames, right ones and wrong ones.
+namespace povpreview::fake {
+
+using Bytes = std::vector<std::byte>;
+
+/// A slice of answers, with the counts as claimed, whatever the samples.
+struct Slice {
+    std::uint64_t batch = 1;
+    std::uint32_t first = 0;
+    std::uint32_t count = 0;
+    std::vector<Sample> samples;
+    RayKind kind = RayKind::full;
+    Parts parts = Parts::colour;
+    std::vector<std::uint32_t> failed;
+};
+
+Bytes hello_frame(std::uint32_t version);
+Bytes progress_frame(std::uint8_t stage, std::uint64_t done, std::uint64_t total);
+/// A scene that uses every field of the schema.
+Bytes scene_frame(std::uint32_t width, std::uint32_t height);
+Bytes answer_frame(const Slice& slice);
+Bytes failure_frame(const std::string& message, const std::string& file, std::uint32_t line);
+
+struct Order {
+    std::uint64_t batch = 0;
+    RayKind kind = RayKind::full;
+    Parts parts = Parts::colour;
+    std::vector<glm::dvec2> positions;
+};
+/// Decodes the previewer's orders. Throws std::runtime_error if it is none.
+Order decode_order(const Bytes& flatbuffer);
+
+}  // namespace povpreview::fake
