@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "display/progress_log.h"
+#include "display/program/progress_log.h"
 
 #include <fmt/format.h>
 

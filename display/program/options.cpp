@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "display/options.h"
+#include "display/program/options.h"
 
 #include <CLI/CLI.hpp>
 #include <map>

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <cstdio>
+
+#include "display/program/compare.h"
+#include "display/program/interrupt.h"
+#include "display/program/options.h"
+#include "display/program/preview.h"
+
+int main(int argc, char** argv) {
+    using namespace povpreview;
+    try {
+        const CommandLine command = read_command_line(argc, argv);
+        if (!command.text.empty()) {
+            fmt::print("{}", command.text);
+            return 0;
+        }
+        catch_interrupts();
+        return static_cast<int>(command.compare ? compare(*command.compare)
+                                                : preview(*command.preview));
+    } catch (const Error& error) {
+        fmt::print(stderr, "povpreview: {}\n", error.what());
+        return static_cast<int>(error.exit());
+    } catch (const std::exception& error) {
+        fmt::print(stderr, "povpreview: {}; please report it with the scene\n", error.what());
+        return static_cast<int>(Exit::tracer);
+    }
+}

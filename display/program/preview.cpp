@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "display/program/preview.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cstdio>
+#include <optional>
+
+#include "adapter/povray_options.h"
+#include "core/error_measures.h"
+#include "core/oracle_lanes.h"
+#include "display/caption.h"
+#include "display/image_file.h"
+#include "display/offscreen.h"
+#include "display/program/interrupt.h"
+#include "display/program/schedule.h"
+#include "display/program/strategy_run.h"
+#include "display/progress_line.h"
+#include "display/window.h"
+
+namespace povpreview {
+namespace {
+
+using namespace std::chrono_literals;
+
+/// Smooths the edges of triangles in pictures for people; Mesa in software offers no more.
+constexpr int samples_per_pixel = 4;
+/// A window is drawn so often while nothing is pressed, and at most this share of the time is
+/// spent on it.
+constexpr double frame_s = .1, drawing_share = .2;
+constexpr double log_interval_s = .1;
+
+std::string thousands(std::size_t number) {
+    std::string digits = std::to_string(number);
+    for (std::size_t i = digits.size(); i > 3; i -= 3) digits.insert(i - 3, ",");
+    return digits;
+}
+
+/// One scene, one or two methods, and everyone who looks on.
+class Preview {
+   public:
+    explicit Preview(const PreviewOptions& options)
+        : options_(options), povray_(read_povray_options(options.povray)) {
+        check_outputs();
+    }
+
+    Exit run() {
+        scene_.emplace(
+            povray_.tracer_arguments(), options_.stall_timeout,
+            [&](const std::string& what) { announce(what); }, [&] { return stopped_early(); });
+        lanes_.emplace(scene_->oracle());
+        main_.emplace(options_.method, *scene_, lanes_->lane(0));
+        if (!options_.log.empty()) log_.emplace(options_.log);
+        while (work()) look();
+        finish();
+        return interrupted() ? Exit::interrupted : Exit::success;
+    }
+
+   private:
+    // ---- before
+
+    /// Refuses what could not be written in the end, before hours of work.
+    void check_outputs() {
+        if (!options_.output.empty()) format_for(options_.output);
+        if (!options_.snapshots.empty()) {
+            std::error_code error;
+            std::filesystem::create_directories(options_.snapshots, error);
+            if (error)
+                throw Error(Exit::usage, "cannot make the folder: " + error.message(),
+                            options_.snapshots.string(), "give --snapshots another folder");
+        }
+        if (!options_.reference.empty()) reference_ = read_image(options_.reference);
+    }
+
+    void open_window() {
+        if (options_.headless) return;
+        try {
+            const SceneDescription& scene = scene_->description();
+            window_.emplace(scene.width, scene.height, "povpreview: " + povray_.scene.string());
+        } catch (const Error& error) {
+            line_.clear();
+            fmt::print(stderr, "povpreview: {}; going on without a window\n", error.what());
+        }
+    }
+
+    bool stopped_early() const { return interrupted() || (window_ && window_->controls().closed); }
+
+    // ---- the loop
+
+    /// One round of sampling; false when it is time to end.
+    bool work() {
+        if (stopped_early()) return false;
+        if (options_.time && scene_->time_s() >= *options_.time) return false;
+        if (options_.samples && main_->samples() >= *options_.samples) return false;
+        if (options_.samples) main_->session().limit_full(*options_.samples);
+        going_ = main_->session().advance(2ms);
+        if (beside_wanted()) {
+            if (!beside_) beside_.emplace(beside_method(), *scene_, lanes_->lane(1));
+            beside_->session().limit_full(main_->samples());
+            going_ |= beside_->session().advance(0ms) && beside_->samples() < main_->samples();
+        }
+        // A finished picture stays in its window until that is closed.
+        return going_ || window_;
+    }
+
+    std::string beside_method() const {
+        return options_.beside.empty() ? "blocks" : options_.beside;
+    }
+
+    /// The second method is traced only where it is shown.
+    bool beside_wanted() const {
+        if (options_.beside == "none") return false;
+        if (window_) return window_->controls().beside;
+        return !options_.beside.empty() || !options_.snapshots.empty();
+    }
+
+    void look() {
+        const double now = scene_->time_s();
+        if (main_->samples() == 0) return;
+        show_progress(now);
+        if (log_ && now >= next_log_) {
+            write_log();
+            next_log_ = now + log_interval_s;
+        }
+        if (!options_.snapshots.empty() && going_ && schedule_.due(now)) write_snapshot();
+        if (window_) look_at_window(now);
+    }
+
+    void show_progress(double now) {
+        const Standing standing = main_->standing();
+        line_.show(Progress{.state = going_ ? "refining" : "complete",
+                            .samples = standing.full,
+                            .pixels = pixel_count(),
+                            .samples_per_second = now > 0 ? double(standing.full) / now : 0,
+                            .elapsed = std::chrono::duration<double>(now)});
+    }
+
+    void look_at_window(double now) {
+        if (window_->take_save_request()) save();
+        if (now >= next_frame_) {
+            const Overlay overlay = window_->controls().overlay;
+            window_->show(main_->previewer().picture(overlay), caption(*main_));
+            if (beside_wanted() && beside_ && beside_->samples() > 0)
+                window_->show_beside(beside_->previewer().picture(overlay), caption(*beside_));
+        }
+        window_->update(going_ ? 0ms : 50ms);
+        const double spent = scene_->time_s() - now;
+        if (now >= next_frame_) next_frame_ = now + std::max(frame_s, spent / drawing_share);
+    }
+
+    // ---- what is written
+
+    std::size_t pixel_count() const {
+        return std::size_t(scene_->description().width) * std::size_t(scene_->description().height);
+    }
+
+    std::string caption(StrategyRun& run) const {
+        const Standing standing = run.standing();
+        std::string text = fmt::format(
+            "{}  {:.2f} s\n{} samples, {:.2f} % of pixels", run.previewer().name(), standing.time_s,
+            thousands(standing.full), 100. * double(standing.full) / double(pixel_count()));
+        if (standing.probe > 0) text += fmt::format(", {} probes", thousands(standing.probe));
+        return text;
+    }
+
+    Offscreen& offscreen() {
+        if (!offscreen_) offscreen_.emplace(open_offscreen(options_.backend));
+        return *offscreen_;
+    }
+
+    Image draw(StrategyRun& run) {
+        const SceneDescription& scene = scene_->description();
+        const glm::ivec2 size = options_.size.value_or(glm::ivec2(scene.width, scene.height));
+        const Picture picture = run.previewer().picture(options_.overlay);
+        return offscreen().render(picture, size.x, size.y, samples_per_pixel, options_.overlay);
+    }
+
+    /// The error as the compare command would print it: one sample per pixel, no overlay.
+    std::string error_of(StrategyRun& run) {
+        const SceneDescription& scene = scene_->description();
+        if (reference_.width != scene.width || reference_.height != scene.height) return "";
+        const Picture picture = run.previewer().picture(Overlay::none);
+        const Image image = offscreen().render(picture, scene.width, scene.height);
+        return fmt::format("\nL1 error {:.4f}", measure_error(image.pixels, reference_.pixels).l1);
+    }
+
+    void write_snapshot() {
+        std::vector<Panel> panels;
+        std::array<Image, 2> images;
+        std::array<StrategyRun*, 2> runs{&*main_, beside_ ? &*beside_ : nullptr};
+        for (std::size_t i = 0; i < 2; ++i) {
+            if (!runs[i] || runs[i]->samples() == 0) continue;
+            const std::string text = caption(*runs[i]) + error_of(*runs[i]);
+            images[i] = draw(*runs[i]);
+            panels.push_back({images[i], text});
+        }
+        const std::string name =
+            fmt::format("{:03d}-{:.2f}s.png", ++snapshots_, main_->standing().time_s);
+        write_image(compose(panels), options_.snapshots / name, FileFormat::png8);
+    }
+
+    void write_log() {
+        log_->write(main_->standing());
+        const auto& faults = scene_->oracle().faults();
+        for (; faults_logged_ < faults.size(); ++faults_logged_)
+            log_->write_event(scene_->time_s(), faults[faults_logged_]);
+    }
+
+    /// Where the picture goes when nothing was said: beside nobody's own render.
+    std::filesystem::path output() const {
+        if (!options_.output.empty()) return options_.output;
+        return povray_.scene.stem().string() + "-preview.png";
+    }
+
+    void save() {
+        write_image(draw(*main_), output());
+        line_.clear();
+        fmt::print(stderr, "povpreview: saved {}\n", output().string());
+    }
+
+    void finish() {
+        line_.clear();
+        if (main_->samples() == 0) return;
+        if (!options_.snapshots.empty()) write_snapshot();
+        // Asked for, or cut short, or nothing else to show for it.
+        const bool nothing_shown = !window_ && options_.snapshots.empty();
+        if (!options_.output.empty() || interrupted() || nothing_shown) save();
+        if (log_) write_log();
+        for (const std::string& fault : scene_->oracle().faults())
+            fmt::print(stderr, "povpreview: {}\n", fault);
+    }
+
+    const PreviewOptions& options_;
+    PovrayOptions povray_;
+    Image reference_;
+    ProgressLine line_;
+    std::optional<Window> window_;
+    std::optional<TracedScene> scene_;
+    std::optional<OracleLanes> lanes_;
+    std::optional<StrategyRun> main_, beside_;
+    std::optional<Offscreen> offscreen_;
+    std::optional<ProgressLog> log_;
+    GeometricSchedule schedule_;
+    bool going_ = true;
+    double next_log_ = 0, next_frame_ = 0;
+    int snapshots_ = 0;
+    std::size_t faults_logged_ = 0;
+};
+
+}  // namespace
+
+Exit preview(const PreviewOptions& options) { return Preview(options).run(); }
+
+}  // namespace povpreview

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "display/program/reference.h"
+
+#include <fstream>
+#include <sstream>
+
+#include "adapter/povray_options.h"
+#include "adapter/stock_povray.h"
+#include "core/error.h"
+#include "display/atomic_file.h"
+#include "display/image_file.h"
+#include "display/progress_line.h"
+
+namespace povpreview {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string text_of(const fs::path& file) {
+    std::ifstream stream(file);
+    std::stringstream text;
+    text << stream.rdbuf();
+    return text.str();
+}
+
+/// Whether no file in the scene's folder (where its includes and images usually lie) is newer.
+bool newer_than_all_beside(const fs::path& reference, const fs::path& scene) {
+    const auto made = fs::last_write_time(reference);
+    const fs::path folder = fs::absolute(scene).parent_path();
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+        std::error_code gone;
+        if (entry.is_regular_file(gone) && entry.last_write_time(gone) > made) return false;
+    }
+    return true;
+}
+
+void write_text(const fs::path& file, const std::string& text) {
+    write_file(file, {reinterpret_cast<const unsigned char*>(text.data()), text.size()});
+}
+
+}  // namespace
+
+Image stock_reference(const std::vector<std::string>& povray_words, const fs::path& folder,
+                      const std::function<bool()>& interrupted) {
+    const PovrayOptions options = read_povray_options(povray_words);
+    const fs::path image = folder / "reference.png", half_made = folder / "reference.new.png",
+                   command = folder / "reference.txt";
+    std::string words;
+    for (const std::string& word : options.stock_arguments(half_made)) words += word + '\n';
+    if (fs::exists(image) && text_of(command) == words &&
+        newer_than_all_beside(image, options.scene))
+        return read_image(image);
+
+    ProgressLine line;
+    const bool complete =
+        render_by_stock_povray(options.stock_arguments(half_made), folder / "reference.log", [&] {
+            line.show("rendering the reference by the stock povray");
+            return interrupted();
+        });
+    line.clear();
+    if (!complete) {
+        std::error_code gone;
+        fs::remove(half_made, gone);
+        throw Error(Exit::interrupted, "interrupted while rendering the reference", "", "");
+    }
+    fs::rename(half_made, image);
+    write_text(command, words);
+    return read_image(image);
+}
+
+}  // namespace povpreview

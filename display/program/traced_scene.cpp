@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "display/program/traced_scene.h"
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <filesystem>
+
+namespace povpreview {
+namespace {
+
+/// The patched POV-Ray: the environment variable POVPREVIEW_TRACER, or the set-up's link beside
+/// this program.
+std::string tracer_program() {
+    namespace fs = std::filesystem;
+    if (const char* named = std::getenv("POVPREVIEW_TRACER")) return named;
+    const fs::path beside = fs::read_symlink("/proc/self/exe").parent_path() / "povpreview-tracer";
+    if (!fs::exists(beside))
+        throw Error(Exit::usage, "the tracer is not there", beside.string(),
+                    "build it by ./run, or name it by the environment variable POVPREVIEW_TRACER");
+    return beside.string();
+}
+
+std::string sentence(const report::Progress& progress) {
+    const char* stage = "";
+    switch (progress.stage) {
+        case report::Stage::parsing:
+            stage = "parsing";
+            break;
+        case report::Stage::bounding:
+            stage = "bounding objects";
+            break;
+        case report::Stage::photons:
+            stage = "shooting photons";
+            break;
+        case report::Stage::radiosity:
+            stage = "radiosity pretrace";
+            break;
+        case report::Stage::ready:
+            stage = "ready";
+            break;
+    }
+    if (progress.total > 0)
+        return fmt::format("{}, {} of {}", stage, progress.done, progress.total);
+    return progress.done > 0 ? fmt::format("{}, {}", stage, progress.done) : stage;
+}
+
+PovrayOracle::Settings settings(std::vector<std::string> arguments, double stall_timeout_s) {
+    PovrayOracle::Settings result;
+    result.program = tracer_program();
+    result.arguments = std::move(arguments);
+    result.stall_timeout =
+        std::chrono::milliseconds(static_cast<std::int64_t>(stall_timeout_s * 1000));
+    return result;
+}
+
+}  // namespace
+
+TracedScene::TracedScene(std::vector<std::string> povray_arguments, double stall_timeout_s,
+                         const std::function<void(const std::string&)>& report,
+                         const std::function<bool()>& interrupted)
+    : oracle_(settings(std::move(povray_arguments), stall_timeout_s)),
+      description_(oracle_.wait_for_scene(
+          [&](const report::Progress& progress) { report(sentence(progress)); }, interrupted)) {
+    parsed_ = Clock::now();
+}
+
+}  // namespace povpreview

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "adapter/povray_oracle.h"
+
+namespace povpreview {
+
+/// A scene in a tracer of its own, parsed, and the clocks that run since.
+class TracedScene {
+   public:
+    /// Starts a tracer and waits for the end of the parse; `report` is told what it does
+    /// ("parsing, 12,000 tokens"), `interrupted` asked whether to give up. Throws Error.
+    TracedScene(std::vector<std::string> povray_arguments, double stall_timeout_s,
+                const std::function<void(const std::string&)>& report,
+                const std::function<bool()>& interrupted);
+
+    PovrayOracle& oracle() { return oracle_; }
+    const SceneDescription& description() const { return description_; }
+
+    /// Seconds since the parse ended, and since the tracer was started; pauses not counted.
+    double time_s() const { return seconds(Clock::now() - parsed_) - paused_s_; }
+    double launch_s() const { return seconds(Clock::now() - launched_) - paused_s_; }
+
+    /// Runs something outside the clocks.
+    template <class Work>
+    auto off_the_clock(const Work& work) {
+        const Pause pause(*this);
+        return work();
+    }
+
+   private:
+    using Clock = std::chrono::steady_clock;
+    static double seconds(Clock::duration d) { return std::chrono::duration<double>(d).count(); }
+    struct Pause {
+        explicit Pause(TracedScene& s) : scene(s) {}
+        ~Pause() { scene.paused_s_ += seconds(Clock::now() - begin); }
+        TracedScene& scene;
+        Clock::time_point begin = Clock::now();
+    };
+
+    Clock::time_point launched_ = Clock::now(), parsed_;
+    double paused_s_ = 0;
+    PovrayOracle oracle_;
+    const SceneDescription& description_;
+};
+
+}  // namespace povpreview
