@@ -84,8 +84,8 @@ union {
   finish {
     ambient Fill
     diffuse 0.72
-    specular 0.10 * Shine
-    roughness 0.02
+    specular 0.05 * Shine
+    roughness 0.01
     reflection { 0.02 * Shine, 0.22 * Shine }
   }
 #end
@@ -191,11 +191,11 @@ plane {
 //                   \       then down, where folds grow with the depth they hang
 //                    |
 // ---------------------------------------------------------------------------------------------
-#declare Bend = 0.8;
+#declare Bend = 1.5;
 #declare ClothW = 34;
 #declare ClothL = 46;
-#declare ClothNU = 60;
-#declare ClothNV = 54;
+#declare ClothNU = 84;
+#declare ClothNV = 56;
 
 #macro ClothPoint(U, V)
   #local Flat = vrotate(<(U - 0.5) * ClothW, 0, -V * ClothL>, y * -14) + <-4.5, 0, 15>;
@@ -203,7 +203,7 @@ plane {
   #local Lift = 0.12 + 0.10 * (1 + sin(Flat.x * 0.42 + Flat.z * 0.23)) * (1 + sin(Flat.z * 0.31 - Flat.x * 0.13));
   #local Turn = max(0, min(Over / Bend, pi / 2));
   #local Hang = max(0, Over - Bend * pi / 2);
-  #local Fold = (1 - exp(-Hang * 0.16)) * (1.1 + sin(Flat.x * 0.72 + 0.4 * sin(Flat.x * 0.31)) + 0.35 * sin(Flat.x * 1.9 + Hang * 0.12));
+  #local Fold = (1 - exp(-Hang * 0.16)) * (1.1 + sin(Flat.x * 0.66 + 0.4 * sin(Flat.x * 0.31)) + 0.25 * sin(Flat.x * 1.31 + Hang * 0.10));
   <Flat.x + 0.25 * Fold,
    (Bend + Lift) * cos(Turn) - Bend - Hang,
    max(Flat.z, Edge) - (Bend + Lift) * sin(Turn) - 0.9 * Fold>
@@ -356,7 +356,11 @@ object {
 }
 
 #declare HalfLemon = intersection {
-  object { LemonShape }
+  sphere {
+    0, 1
+    scale <2.86, 3.6, 2.86>
+    texture { LemonPeel }
+  }
   plane {
     y, 0
     texture {
@@ -373,8 +377,8 @@ object {
         }
         scale 2.86
       }
-      normal { bumps 0.3 scale <0.3, 0.3, 0.3> }
-      Glossy(1.2)
+      normal { bumps 0.15 scale 0.4 }
+      Glossy(0.7)
     }
   }
 }
@@ -537,7 +541,7 @@ union { // the bowl and what it holds
 
 object { WineGlass rotate y * 20 translate <15.5, 0, 5> }
 object { Grapes rotate y * 24 translate <-12.5, OnCloth, -11.5> }
-object { HalfLemon rotate <-62, 0, 0> rotate y * -18 translate <7.6, 2.5, -12.5> }
+object { HalfLemon rotate <-62, 0, 0> rotate y * -18 translate <7.6, 2.95, -12.5> }
 object { LemonShape rotate z * 84 rotate y * 35 translate <12.6, 2.75, -9.4> }
 sphere {
   <20.5, 4.2, -7>, 4.2
