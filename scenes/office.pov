@@ -36,7 +36,7 @@ global_settings {
       low_error_factor 0.6
       gray_threshold 0.1
       minimum_reuse 0.012
-      brightness 1.1
+      brightness 1.5
     }
   #end
 }
@@ -63,7 +63,7 @@ camera {
   look_at <1.95, 0.98, 3.6>
 }
 
-#declare Sun = <-9.0, 6.9, 1.3>;
+#declare Sun = <-9.0, 7.6, 2.5>;
 #declare Pendant = <2.75, 2.02, 2.65>;
 
 light_source {
@@ -89,6 +89,14 @@ light_source {
   texture {
     pigment { color C }
     finish { Matt }
+  }
+#end
+
+// Things out of doors, as an eye used to the room would see them under that sun.
+#macro Distant(C)
+  texture {
+    pigment { color C }
+    finish { ambient SkyFill * 1.5 diffuse 0.26 }
   }
 #end
 
@@ -415,16 +423,16 @@ light_source {
     linear_sweep
     linear_spline
     X - 0.5, X, N + 4
-    , <-150, -20>
+    , <-210, -20>
     #for (I, 0, N)
-      #local Z = -150 + 310 * I / N;
+      #local Z = -210 + 460 * I / N;
       , <Z, Base + Height * (0.5 + 0.3 * sin(Z * 0.055 + Phase) + 0.2 * sin(Z * 0.17 + 2 * Phase))>
     #end
-    , <160, -20>
-    , <-150, -20>
+    , <250, -20>
+    , <-210, -20>
     // prism space (u, along, v) -> (along, v, u)
     matrix <0, 0, 1, 1, 0, 0, 0, 1, 0, 0, 0, 0>
-    Plain(C)
+    Distant(C)
   }
   #declare Faces = Faces + N + 5;
 #end
@@ -433,7 +441,7 @@ light_source {
   union {
     object {
       Block(<-W / 2, 0, -D / 2>, <W / 2, H, D / 2>)
-      Plain(Walls)
+      Distant(Walls)
     }
     mesh {
       #local E = 0.25;
@@ -447,15 +455,31 @@ light_source {
       Quad(M0, M1, R1, R0)
       Tri(L0, M0, R0)
       Tri(L1, M1, R1)
-      Plain(srgb <0.66, 0.32, 0.22>)
+      Distant(srgb <0.66, 0.32, 0.22>)
     }
     union {
       #for (I, -1, 1)
         Block(<W / 2, H * 0.35, I * D * 0.3 - 0.3>, <W / 2 + 0.03, H * 0.7, I * D * 0.3 + 0.3>)
       #end
-      Plain(srgb <0.25, 0.29, 0.34>)
+      Distant(srgb <0.25, 0.29, 0.34>)
     }
     rotate y * Turn
+    translate Where
+  }
+#end
+
+#macro Church(Where)
+  union {
+    object {
+      Block(<-1.6, 0, -1.6>, <1.6, 8, 1.6>)
+      Distant(srgb <0.93, 0.90, 0.84>)
+    }
+    object {
+      Turned(4, array[2] { <2.6, 8>, <0, 14> })
+      rotate y * 45
+      Distant(srgb <0.36, 0.42, 0.46>)
+    }
+    House(<0, 0, 5>, 4.4, 9, 4, 0, srgb <0.93, 0.90, 0.84>)
     translate Where
   }
 #end
@@ -464,11 +488,11 @@ light_source {
   union {
     object {
       Column(5, 0.07 * H, 0, 0.4 * H)
-      Plain(srgb <0.35, 0.25, 0.18>)
+      Distant(srgb <0.35, 0.25, 0.18>)
     }
     object {
       Turned(7, array[5] { <0, 0.25 * H>, <0.26 * H, 0.38 * H>, <0.30 * H, 0.60 * H>, <0.18 * H, 0.86 * H>, <0, H> })
-      Plain(srgb <0.30, 0.44, 0.20> * Between(0.75, 1.15))
+      Distant(srgb <0.30, 0.44, 0.20> * Between(0.75, 1.15))
     }
     rotate y * Between(0, 360)
     translate Where
@@ -477,7 +501,7 @@ light_source {
 
 #macro Outside()
   mesh { // the sky, behind the sun: its glow is its own
-    Quad(<-90, -20, -160>, <-90, -20, 190>, <-90, 70, 190>, <-90, 70, -160>)
+    Quad(<-125, -20, -220>, <-125, -20, 260>, <-125, 90, 260>, <-125, 90, -220>)
     texture {
       pigment {
         gradient y
@@ -486,25 +510,26 @@ light_source {
           [0.25 color srgb <0.80, 0.88, 0.93>]
           [1.0 color srgb <0.36, 0.58, 0.86>]
         }
-        scale 36
+        scale 48
         translate y * -1
       }
       finish { ambient 0 diffuse 0 emission 0.95 }
     }
   }
   object {
-    Block(<-89, -4.2, -150>, <-WallT - 0.5, -4, 160>)
-    Plain(srgb <0.55, 0.62, 0.32>)
+    Block(<-124, -4.2, -210>, <-WallT - 0.5, -4, 250>)
+    Distant(srgb <0.55, 0.62, 0.32>)
   }
-  Ridge(-80, -2, 14, 0.6, srgb <0.62, 0.72, 0.82>)
-  Ridge(-68, -4, 11, 2.3, srgb <0.50, 0.63, 0.60>)
-  Ridge(-58, -5, 8, 4.2, srgb <0.45, 0.58, 0.38>)
-  House(<-42, -4, 9>, 5, 7, 3.2, 12, srgb <0.95, 0.90, 0.80>)
-  House(<-50, -4, 25>, 5, 8, 3.6, -20, srgb <0.90, 0.78, 0.62>)
-  House(<-36, -4, 17>, 4.5, 6, 3.0, -8, srgb <0.92, 0.88, 0.84>)
-  House(<-44, -4, -22>, 5, 7, 3.2, 30, srgb <0.92, 0.86, 0.76>)
-  #for (I, 0, 29)
-    Tree(<-24 - 28 * rand(Dice), -4, -45 + 3.0 * I + rand(Dice)>, Between(2.4, 4.6))
+  Ridge(-112, -2, 22, 1.9, srgb <0.60, 0.71, 0.84>)
+  Ridge(-96, -4, 15, 2.6, srgb <0.50, 0.64, 0.64>)
+  Ridge(-80, -5, 10, 4.6, srgb <0.48, 0.62, 0.42>)
+  House(<-52, -4, 20>, 5, 7, 3.2, 12, srgb <0.95, 0.90, 0.80>)
+  House(<-58, -4, 31>, 5, 8, 3.4, -24, srgb <0.90, 0.76, 0.60>)
+  House(<-66, -4, 43>, 5, 9, 3.6, 16, srgb <0.92, 0.88, 0.84>)
+  House(<-50, -4, -26>, 5, 7, 3.2, 30, srgb <0.92, 0.86, 0.76>)
+  Church(<-70, -4, 35>)
+  #for (I, 0, 35)
+    Tree(<-27 - 42 * rand(Dice), -4, -56 + 3.4 * I + rand(Dice)>, Between(2.4, 4.4))
   #end
 #end
 
@@ -920,7 +945,7 @@ light_source {
       #for (Half, 0, 1)
         #local A = (Half ? W / 2 + T / 2 : T);
         #local B = (Half ? W - T : W / 2 - T / 2);
-        #local Keep = (mod(I * 2 + Half * 3, 5) = 2 ? 0.26 : 0); // room for an ornament
+        #local Keep = (mod(I * 2 + Half * 3, 5) = 3 ? 0.26 : 0); // room for an ornament
         union {
           BookRow(A + 0.005, B - Keep, Pitch - T)
           #if (Keep > 0)
