@@ -96,7 +96,7 @@ light_source {
 #macro Distant(C)
   texture {
     pigment { color C }
-    finish { ambient SkyFill * 1.5 diffuse 0.26 }
+    finish { ambient SkyFill * 1.5 emission SkyFill * 1.2 * Radiosity diffuse 0.26 }
   }
 #end
 

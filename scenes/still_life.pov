@@ -25,8 +25,8 @@ global_settings {
 camera {
   location <3, 25, -74>
   right x * 4 / 3
-  angle 40
-  look_at <0.9, 6.0, 0>
+  angle 41
+  look_at <0.9, 5.3, 0>
 }
 
 // ---------------------------------------------------------------------------------------------
@@ -203,29 +203,30 @@ plane {
   #local Lift = 0.12 + 0.10 * (1 + sin(Flat.x * 0.42 + Flat.z * 0.23)) * (1 + sin(Flat.z * 0.31 - Flat.x * 0.13));
   #local Turn = max(0, min(Over / Bend, pi / 2));
   #local Hang = max(0, Over - Bend * pi / 2);
-  #local Fold = (1 - exp(-Hang * 0.16)) * (1.1 + sin(Flat.x * 0.66 + 0.4 * sin(Flat.x * 0.31)) + 0.25 * sin(Flat.x * 1.31 + Hang * 0.10));
+  #local Fold = (1 - exp(-0.045 * Hang * Hang)) * (1.1 + sin(Flat.x * 0.66 + 0.4 * sin(Flat.x * 0.31)) + 0.25 * sin(Flat.x * 1.31 + Hang * 0.10));
   <Flat.x + 0.25 * Fold,
    (Bend + Lift) * cos(Turn) - Bend - Hang,
    max(Flat.z, Edge) - (Bend + Lift) * sin(Turn) - 0.9 * Fold>
 #end
 
+// A grid of points with a margin of one all round, so that every corner's normal can be had
+// from its neighbours.
 #macro Cloth()
-  #local P = array[ClothNU + 1][ClothNV + 1]
-  #local N = array[ClothNU + 1][ClothNV + 1]
-  #local E = 0.004;
-  #for (I, 0, ClothNU)
-    #for (J, 0, ClothNV)
-      #local U = I / ClothNU;
-      #local V = J / ClothNV;
-      #local P[I][J] = ClothPoint(U, V);
-      #local DU = ClothPoint(U + E, V) - P[I][J];
-      #local DV = ClothPoint(U, V + E) - P[I][J];
-      #local N[I][J] = vcross(DV, DU);
+  #local P = array[ClothNU + 3][ClothNV + 3]
+  #local N = array[ClothNU + 3][ClothNV + 3]
+  #for (I, 0, ClothNU + 2)
+    #for (J, 0, ClothNV + 2)
+      #local P[I][J] = ClothPoint((I - 1) / ClothNU, (J - 1) / ClothNV);
+    #end
+  #end
+  #for (I, 1, ClothNU + 1)
+    #for (J, 1, ClothNV + 1)
+      #local N[I][J] = vcross(P[I][J + 1] - P[I][J - 1], P[I + 1][J] - P[I - 1][J]);
     #end
   #end
   mesh {
-    #for (I, 0, ClothNU - 1)
-      #for (J, 0, ClothNV - 1)
+    #for (I, 1, ClothNU)
+      #for (J, 1, ClothNV)
         smooth_triangle { P[I][J], N[I][J], P[I + 1][J], N[I + 1][J], P[I + 1][J + 1], N[I + 1][J + 1] }
         smooth_triangle { P[I][J], N[I][J], P[I + 1][J + 1], N[I + 1][J + 1], P[I][J + 1], N[I][J + 1] }
       #end
