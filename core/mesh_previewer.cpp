@@ -1,0 +1,348 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "core/mesh_previewer.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <numeric>
+
+namespace povpreview {
+
+using Spoke = Triangulation::Spoke;
+
+namespace {
+
+/// Weights are compared with what the heap remembers; they differ by rounding when an edge is seen
+/// from its other end.
+constexpr float weight_rounding = 1e-4f;
+
+/// A vertex closer to a constraint than this, in pixels, might lie on the wrong side of it: twice
+/// the position error of a traced outline between its vertices.
+constexpr double constraint_clearance = .7;
+
+/// Constrained edges are not split below this length in pixels: the outline itself is not known
+/// better, and one-sided samples are traced on top of the pixels' own.
+constexpr double shortest_constraint = 4;
+
+bool finite(const glm::vec3& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+/// Where the vertices of a pixel lie along one axis: in its middle, but the outermost pixels reach
+/// to the border, and the only pixel of a row or column to both sides.
+std::vector<double> drawn_out(double centre, int pixels) {
+    if (pixels == 1) return {0, 1};
+    if (centre < 1) return {0};
+    if (centre > pixels - 1) return {double(pixels)};
+    return {centre};
+}
+
+double distance_to_segment(glm::dvec2 p, glm::dvec2 a, glm::dvec2 b) {
+    const glm::dvec2 d = b - a;
+    const double t = std::clamp(glm::dot(p - a, d) / glm::dot(d, d), 0., 1.);
+    return glm::length(p - (a + t * d));
+}
+
+}  // namespace
+
+MeshPreviewer::MeshPreviewer(int width, int height, const MeshOptions& options)
+    : width_(width),
+      height_(height),
+      options_(options),
+      squares_(width, height),
+      mesh_(width, height) {
+    assert(width >= 1 && height >= 1);
+    lay_grid();
+}
+
+std::string_view MeshPreviewer::name() const { return options_.constraints ? "mesh" : "delaunay"; }
+
+Parts MeshPreviewer::parts() const { return options_.constraints ? Parts::surface : Parts::colour; }
+
+/// A regular grid from border to border, asked for in levels from coarse to fine, so that even its
+/// first answers are spread over the image.
+void MeshPreviewer::lay_grid() {
+    const double cell = std::max(2., options_.grid_cell * std::max(width_, height_));
+    const int columns = std::max(1, static_cast<int>(std::lround(width_ / cell)));
+    const int rows = std::max(1, static_cast<int>(std::lround(height_ / cell)));
+    const auto pixel = [](int i, int cells, int pixels) { return i * (pixels - 1) / cells; };
+    std::vector<bool> taken(squares_.pixels());
+    int step = 1;
+    while (step < std::max(columns, rows)) step *= 2;
+    for (; step >= 1; step /= 2)
+        for (int j = 0; j <= rows; ++j)
+            for (int i = 0; i <= columns; ++i) {
+                if ((i % step && i != columns) || (j % step && j != rows)) continue;
+                const auto p = static_cast<Pixel>(pixel(j, rows, height_) * width_ +
+                                                  pixel(i, columns, width_));
+                if (!taken[p]) grid_.push_back(p);
+                taken[p] = true;
+            }
+}
+
+std::optional<Request> MeshPreviewer::request(Pending pending) {
+    pending_.push_back(pending);
+    if (pending.use == Pending::Use::side) {
+        ++vertices_pending_;
+        return Request{mesh_.sample(pending.sample).position, RayKind::full};
+    }
+    squares_.request(pending.pixel);
+    if (pending.use == Pending::Use::vertex) {
+        ++vertices_pending_;
+        const std::size_t square = squares_.square_of(pending.pixel);
+        if (squares_.count(square) > options_.dense * squares_.area(square)) squares_.fill(square);
+    }
+    return Request{squares_.centre(pending.pixel), RayKind::full};
+}
+
+std::optional<Request> MeshPreviewer::next() {
+    if (grid_asked_ < grid_.size())
+        return request({Pending::Use::vertex, grid_[grid_asked_++], recent_});
+    if (!sides_.empty()) {
+        const Pending side = sides_.front();
+        sides_.pop_front();
+        return request(side);
+    }
+    for (;;) {
+        if (const auto pixel = squares_.next_to_fill())
+            return request({Pending::Use::fill, *pixel});
+        if (refining_) {
+            if (auto wanted = refine()) return wanted;
+            if (refining_) return std::nullopt;  // answers may bring more edges
+        }
+        if (fill_order_.empty()) return std::nullopt;
+        squares_.fill(fill_order_.back());
+        fill_order_.pop_back();
+    }
+}
+
+/// Asks for the middle of the heaviest edge; ends refinement where there is none.
+std::optional<Request> MeshPreviewer::refine() {
+    const Triangulation& t = mesh_.triangulation();
+    const auto budget =
+        static_cast<std::size_t>(options_.vertex_budget * static_cast<double>(squares_.pixels()));
+    while (t.vertices() < std::max<std::size_t>(budget, grid_.size())) {
+        const auto entry = heap_.pop();
+        if (!entry) {
+            if (vertices_pending_ > 0) return std::nullopt;
+            break;
+        }
+        const auto [old_weight, a, b] = *entry;
+        Triangulation::Edge edge{};
+        if (!t.find_edge(a, b, edge) || !refinable(a, b, edge.constrained)) continue;
+        const auto now = weight(a, b);
+        if (!now) continue;  // comes back when its samples do
+        if (*now < old_weight * (1 - weight_rounding)) {
+            heap_.push(a, b, *now);
+            continue;
+        }
+        if (edge.constrained) {
+            if (auto wanted = split_constraint(a, b)) return wanted;
+            continue;
+        }
+        const Pixel pixel = squares_.pixel_at((t.position(a) + t.position(b)) / 2.);
+        return request({Pending::Use::vertex, pixel, a});
+    }
+    start_filling();
+    return std::nullopt;
+}
+
+/// Whether an edge leaves anything to sample: the pixel in its middle is not asked for yet.
+bool MeshPreviewer::refinable(VertexId a, VertexId b, bool constrained) const {
+    const Triangulation& t = mesh_.triangulation();
+    const glm::dvec2 p = t.position(a), q = t.position(b);
+    const Pixel pixel = squares_.pixel_at((p + q) / 2.);
+    if (squares_.filling(squares_.square_of(pixel))) return false;
+    if (constrained) return glm::distance(p, q) >= shortest_constraint;
+    return squares_.state(pixel) == BfSquares::State::unsampled;
+}
+
+std::optional<float> MeshPreviewer::weight(VertexId a, VertexId b) const {
+    const auto contrast = mesh_.contrast(a, b);
+    if (!contrast) return std::nullopt;
+    const Triangulation& t = mesh_.triangulation();
+    const double length = glm::distance(t.position(a), t.position(b));
+    return edge_weight(options_.weight, static_cast<float>(length / std::max(width_, height_)),
+                       *contrast);
+}
+
+/// Splits at once and asks for the samples beside the new vertex; until they come its corners
+/// stand in between their neighbours'.
+std::optional<Request> MeshPreviewer::split_constraint(VertexId a, VertexId b) {
+    const Triangulation& t = mesh_.triangulation();
+    const auto split = mesh_.split(a, b, (t.position(a) + t.position(b)) / 2.);
+    // An old vertex in the middle changes nothing but the links; its edges are queued already.
+    if (!split.fresh) return std::nullopt;
+    std::vector<glm::dvec2> positions;
+    mesh_.missing_positions(split.vertex, positions);
+    for (glm::dvec2 p : positions)
+        sides_.push_back({Pending::Use::side, 0, split.vertex, mesh_.promise(split.vertex, p)});
+    const std::vector<VertexId> touched(t.touched().begin(), t.touched().end());
+    for (VertexId v : touched) queue_edges(v);
+    if (sides_.empty()) return std::nullopt;
+    const Pending side = sides_.front();
+    sides_.pop_front();
+    return request(side);
+}
+
+void MeshPreviewer::accept(const Sample& sample) {
+    assert(!pending_.empty());
+    const Pending pending = pending_.front();
+    pending_.pop_front();
+    const bool usable = !sample.failed && finite(sample.colour);
+    if (pending.use == Pending::Use::side) {
+        --vertices_pending_;
+        if (usable)
+            mesh_.answer(pending.sample, sample.colour, sample.surface);
+        else
+            mesh_.fail(pending.sample);
+        queue_edges(pending.vertex);
+        return;
+    }
+    accept_pixel(pending, sample, usable);
+}
+
+void MeshPreviewer::accept_pixel(const Pending& pending, const Sample& sample, bool usable) {
+    if (usable)
+        squares_.answer(pending.pixel, sample.colour);
+    else
+        squares_.fail(pending.pixel);
+    if (pending.use == Pending::Use::fill) return;
+    --vertices_pending_;
+    const glm::dvec2 centre = squares_.centre(pending.pixel);
+    bool meshed = false;
+    for (double x : drawn_out(centre.x, width_))
+        for (double y : drawn_out(centre.y, height_))
+            meshed = add_vertex({x, y}, pending.vertex, sample, usable) || meshed;
+    if (usable) squares_.set_meshed(pending.pixel, meshed);
+}
+
+/// Only a corner of the image takes a failed sample, since it is a vertex anyhow.
+bool MeshPreviewer::add_vertex(glm::dvec2 position, VertexId near, const Sample& sample,
+                               bool usable) {
+    if (!mesh_.triangulation().alive(near)) near = recent_;
+    const bool corner =
+        (position.x <= 0 || position.x >= width_) && (position.y <= 0 || position.y >= height_);
+    if (!corner && (!usable || too_near_constraint(position, near))) return false;
+    const VertexId vertex = mesh_.insert(position, near).vertex;
+    if (!mesh_.first_sample(vertex).valid()) {
+        const SampleId id = mesh_.promise(vertex, sample.position);
+        if (usable)
+            mesh_.answer(id, sample.colour, sample.surface);
+        else
+            mesh_.fail(id);
+    }
+    recent_ = vertex;
+    queue_edges(vertex);
+    return true;
+}
+
+bool MeshPreviewer::too_near_constraint(glm::dvec2 position, VertexId near) const {
+    const Triangulation& t = mesh_.triangulation();
+    if (t.constraints() == 0) return false;
+    const auto face = t.locate(position, near);
+    for (std::size_t i = 0; i < 3; ++i) {
+        Triangulation::Edge edge{};
+        const VertexId a = face[i], b = face[(i + 1) % 3];
+        if (t.find_edge(a, b, edge) && edge.constrained &&
+            distance_to_segment(position, t.position(a), t.position(b)) < constraint_clearance)
+            return true;
+    }
+    return false;
+}
+
+void MeshPreviewer::queue_edges(VertexId vertex) {
+    if (!refining_) return;
+    thread_local std::vector<Spoke> fan;
+    mesh_.triangulation().fan(vertex, fan);
+    for (const Spoke& spoke : fan)
+        if (refinable(vertex, spoke.to, spoke.constrained))
+            if (const auto w = weight(vertex, spoke.to)) heap_.push(vertex, spoke.to, *w);
+}
+
+/// Orders the squares that are left by how much a traced pixel may be expected to mend there.
+void MeshPreviewer::start_filling() {
+    refining_ = false;
+    heap_.clear();
+    const std::vector<double> errors = expected_errors();
+    fill_order_.resize(squares_.squares());
+    std::iota(fill_order_.begin(), fill_order_.end(), std::size_t{0});
+    std::stable_sort(fill_order_.begin(), fill_order_.end(),
+                     [&](std::size_t p, std::size_t q) { return errors[p] < errors[q]; });
+}
+
+/// For each square, the contrast across its faces, averaged over the area, against the pixels that
+/// are still to be traced. A face that spans several squares counts for each of those in its box.
+std::vector<double> MeshPreviewer::expected_errors() const {
+    std::vector<double> errors(squares_.squares());
+    const Triangulation& t = mesh_.triangulation();
+    t.for_each_face([&](VertexId a, VertexId b, VertexId c) {
+        const auto step = [&](VertexId p, VertexId q) {
+            return std::sqrt(mesh_.contrast(p, q).value_or(0));
+        };
+        const double contrast = std::max({step(a, b), step(b, c), step(c, a)});
+        const glm::dvec2 p = t.position(a), q = t.position(b), r = t.position(c);
+        const double area = ((q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x)) / 2;
+        const glm::dvec2 low = glm::min(glm::min(p, q), r), high = glm::max(glm::max(p, q), r);
+        const std::size_t first = squares_.square_of(squares_.pixel_at(low));
+        const std::size_t last = squares_.square_of(squares_.pixel_at(high));
+        const auto columns = static_cast<std::size_t>(squares_.columns());
+        const std::size_t across = last % columns - first % columns + 1;
+        const std::size_t down = last / columns - first / columns + 1;
+        const double share = contrast * area / static_cast<double>(across * down);
+        for (std::size_t j = 0; j < down; ++j)
+            for (std::size_t i = 0; i < across; ++i) errors[first + j * columns + i] += share;
+    });
+    for (std::size_t square = 0; square < errors.size(); ++square)
+        errors[square] /= std::max(1, squares_.area(square) - squares_.count(square));
+    return errors;
+}
+
+bool MeshPreviewer::done() const {
+    return pending_.empty() && squares_.answered() == squares_.pixels();
+}
+
+Picture MeshPreviewer::picture(Overlay overlay) const {
+    Picture picture;
+    picture.width = width_;
+    picture.height = height_;
+    mesh_.draw(picture);
+    squares_.draw(picture);
+    if (overlay == Overlay::mesh || overlay == Overlay::edges)
+        mesh_.draw_edges(picture, overlay == Overlay::edges);
+    if (overlay == Overlay::samples)
+        for (Pixel pixel = 0; pixel < squares_.pixels(); ++pixel)
+            if (squares_.has_colour(pixel))
+                picture.samples.push_back(glm::vec2(squares_.centre(pixel)));
+    return picture;
+}
+
+Statistics MeshPreviewer::statistics() const {
+    return {mesh_.triangulation().vertices(), mesh_.triangulation().constraints(),
+            squares_.known()};
+}
+
+std::string MeshPreviewer::validate() const {
+    if (std::string fault = mesh_.validate(); !fault.empty()) return fault;
+    if (!refining_) return {};
+    std::vector<std::pair<std::pair<VertexId, VertexId>, float>> entries;
+    for (const auto& entry : heap_.entries()) entries.push_back({{entry.a, entry.b}, entry.weight});
+    std::sort(entries.begin(), entries.end());
+    std::string fault;
+    mesh_.triangulation().for_each_edge([&](VertexId a, VertexId b, bool constrained) {
+        if (!fault.empty() || !refinable(a, b, constrained)) return;
+        const auto now = weight(a, b);
+        if (!now) return;
+        const std::pair<VertexId, VertexId> edge{std::min(a, b), std::max(a, b)};
+        auto it = std::upper_bound(entries.begin(), entries.end(), std::pair{edge, INFINITY});
+        if (it == entries.begin() || (--it)->first != edge ||
+            it->second < *now * (1 - weight_rounding))
+            fault =
+                "the heap misses edge " + std::to_string(a.value) + "-" + std::to_string(b.value);
+    });
+    return fault;
+}
+
+}  // namespace povpreview

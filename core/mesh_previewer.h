@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <deque>
+#include <string>
+#include <vector>
+
+#include "core/bf_squares.h"
+#include "core/edge_weight.h"
+#include "core/mesh.h"
+#include "core/previewer.h"
+#include "core/refinement_heap.h"
+
+namespace povpreview {
+
+struct MeshOptions {
+    /// Without constraints it is Painter and Sloan's plain Delaunay triangulation.
+    bool constraints = true;
+    WeightKind weight = WeightKind::area;
+    /// Side of a cell of the first, regular grid, as a share of the larger image side.
+    double grid_cell = 1. / 20;
+    /// A square with more than this share of its pixels sampled is filled: with a sample to every
+    /// fourth pixel, edges are some two pixels long and interpolation has nothing left to bridge.
+    double dense = .25;
+    /// No more vertices than this share of the pixels; then the rest is filled. Past it, a vertex
+    /// costs more time than it saves over tracing its surroundings.
+    double vertex_budget = 1. / 6;
+};
+
+/// The paper's previewer (Pighin, Lischinski, Salesin 1997): a constrained Delaunay triangulation
+/// of the samples, refined in the middle of its heaviest edge, with BF-squares where samples get
+/// dense, until every pixel is traced.
+///
+/// Vertices lie on pixel centres, so that a pixel's sample is traced once; those of the outermost
+/// pixels are drawn out to the image's border, so that the triangles cover it. Samples that failed
+/// or are not finite never become vertices.
+class MeshPreviewer : public Previewer {
+   public:
+    /// REQUIRES: width and height at least 1.
+    MeshPreviewer(int width, int height, const MeshOptions& options = {});
+
+    std::string_view name() const override;
+    Parts parts() const override;
+    std::optional<Request> next() override;
+    void accept(const Sample& sample) override;
+    bool done() const override;
+    Picture picture(Overlay overlay) const override;
+    Statistics statistics() const override;
+
+    const Mesh& mesh() const { return mesh_; }
+    /// The first invariant that does not hold, as a sentence, of the mesh or between mesh, heap and
+    /// pixels; empty where all is well.
+    std::string validate() const;
+
+   private:
+    /// What an outstanding request is for.
+    struct Pending {
+        enum class Use : std::uint8_t { fill, vertex, side } use;
+        Pixel pixel = 0;    ///< fill, vertex
+        VertexId vertex{};  ///< vertex: one nearby; side: the one it belongs to
+        SampleId sample{};  ///< side
+    };
+
+    void lay_grid();
+    std::optional<Request> request(Pending pending);
+    std::optional<Request> refine();
+    std::optional<Request> split_constraint(VertexId a, VertexId b);
+    void start_filling();
+    std::vector<double> expected_errors() const;
+
+    void accept_pixel(const Pending& pending, const Sample& sample, bool usable);
+    bool add_vertex(glm::dvec2 position, VertexId near, const Sample& sample, bool usable);
+    bool too_near_constraint(glm::dvec2 position, VertexId near) const;
+    std::optional<float> weight(VertexId a, VertexId b) const;
+    bool refinable(VertexId a, VertexId b, bool constrained) const;
+    void queue_edges(VertexId vertex);
+
+    int width_, height_;
+    MeshOptions options_;
+    BfSquares squares_;
+    Mesh mesh_;
+    RefinementHeap heap_;
+    std::deque<Pending> pending_;  // answers come in this order
+    std::vector<Pixel> grid_;      // first samples, in order
+    std::size_t grid_asked_ = 0;
+    std::size_t vertices_pending_ = 0;     // answers outstanding that may bring new edges
+    std::deque<Pending> sides_;            // one-sided samples to ask for
+    std::vector<std::size_t> fill_order_;  // squares left when refinement ended, last first
+    bool refining_ = true;
+    VertexId recent_{0};  // a live vertex
+};
+
+}  // namespace povpreview

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "core/session.h"
+
+#include <algorithm>
+
+namespace povpreview {
+
+Session::Session(Previewer& previewer, SampleOracle& oracle)
+    : previewer_(previewer), oracle_(oracle) {}
+
+/// Requests outstanding at a time. Few at first, when each answer says much about where the next
+/// sample should go; more later, when a choice made too early costs little and latency counts.
+std::size_t Session::window() const {
+    return std::clamp<std::size_t>(256 + accepted_ / 16, 256, 16384);
+}
+
+void Session::choose() {
+    // At the limit not even a probe is of use: it leads to full rays only.
+    while (outstanding_ < window() && full_asked_ < full_limit_) {
+        const auto request = previewer_.next();
+        if (!request) return;
+        if (request->kind == RayKind::full) ++full_asked_;
+        requests_.push_back(*request);
+        ++outstanding_;
+    }
+}
+
+void Session::submit() {
+    if (requests_.empty()) return;
+    oracle_.submit(requests_, previewer_.parts());
+    requests_.clear();
+}
+
+bool Session::advance(std::chrono::nanoseconds patience) {
+    choose();  // finds nothing but on the first round, or after the limit was raised
+    submit();
+    answers_.clear();
+    if (outstanding_ > 0) oracle_.collect(answers_, patience);
+    for (const Sample& sample : answers_) {
+        --outstanding_;
+        ++accepted_;
+        switch (sample.kind) {
+            case RayKind::full:
+                ++counts_.full;
+                break;
+            case RayKind::probe:
+                ++counts_.probe;
+                break;
+            case RayKind::albedo:
+                ++counts_.albedo;
+                break;
+        }
+        if (sample.failed) ++counts_.failed;
+        previewer_.accept(sample);
+        choose();
+    }
+    submit();
+    return outstanding_ > 0;
+}
+
+}  // namespace povpreview

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+#include "core/oracle.h"
+#include "core/previewer.h"
+
+namespace povpreview {
+
+/// Leads one previewer and one oracle through a run.
+///
+/// A window of requests is kept outstanding so that the tracer never waits. Samples are chosen one
+/// by one after each answer, so what is asked for depends on the answers alone and not on how they
+/// come grouped in time: equal scenes give equal runs.
+class Session {
+   public:
+    struct Counts {
+        std::size_t full = 0, probe = 0, albedo = 0;  ///< answers accepted
+        std::size_t failed = 0;                       ///< those of them without a value
+    };
+
+    /// Both must outlive the session.
+    Session(Previewer& previewer, SampleOracle& oracle);
+
+    /// Asks for no more full rays than this, from the run's beginning on. A run that has stopped
+    /// there goes on when the limit is raised.
+    void limit_full(std::size_t limit) { full_limit_ = limit; }
+
+    /// One round: takes the answers that have come, waiting at most `patience` for the first, and
+    /// submits what the previewer wants next. Returns whether the run goes on.
+    bool advance(std::chrono::nanoseconds patience);
+
+    const Counts& counts() const { return counts_; }
+    std::size_t outstanding() const { return outstanding_; }
+
+   private:
+    std::size_t window() const;
+    void choose();
+    void submit();
+
+    Previewer& previewer_;
+    SampleOracle& oracle_;
+    std::size_t full_limit_ = std::numeric_limits<std::size_t>::max();
+    std::size_t full_asked_ = 0, accepted_ = 0, outstanding_ = 0;
+    Counts counts_;
+    std::vector<Request> requests_;
+    std::vector<Sample> answers_;
+};
+
+}  // namespace povpreview
