@@ -28,7 +28,7 @@ std::optional<Sequence> CrashSearch::died(Sequence first_gap, Sequence sent_end,
 Sequence CrashSearch::next(Sequence begin, Sequence end) {
     if (begin >= search_end_) {
         *this = CrashSearch();
-        return end;
+        return begin;
     }
     chunk_end_ = std::min({begin + (begin < single_end_ ? 1 : chunk), search_end_, end});
     return chunk_end_;

@@ -29,7 +29,8 @@ class CrashSearch {
 
     /// Whether requests must be sent as next() says, each range only when no answer is outstanding.
     bool searching() const { return search_end_ > 0; }
-    /// The end of the range from `begin` to be sent next; ends the search behind the suspects.
+    /// The end of the range from `begin` to be sent next. Behind the suspects the search is over,
+    /// and the range empty.
     Sequence next(Sequence begin, Sequence end);
 
    private:

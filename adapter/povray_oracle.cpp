@@ -18,6 +18,9 @@ constexpr std::size_t killers_limit = 16;
 /// clock.
 constexpr std::size_t receive_size = 256 * 1024;
 constexpr int receives_in_a_row = 16;
+/// Samples sent and not answered at most: the tracer takes no more than 2^22, and more would only
+/// fill memory.
+constexpr std::size_t outstanding_limit = std::size_t{1} << 20;
 
 /// POV-Ray's message, with its place if it does not name it itself.
 std::string message(const report::Failure& failure) {
@@ -47,8 +50,7 @@ void PovrayOracle::start() {
     sent_end_ = queue_.begin();
     last_look_ = Clock::now();
     try {
-        process_ = std::make_unique<TracerProcess>(settings_.program, settings_.arguments,
-                                                   settings_.environment);
+        process_ = std::make_unique<TracerProcess>(settings_.program, settings_.arguments);
     } catch (const Error& error) {
         broken_ = error;
         throw;
@@ -140,6 +142,11 @@ void PovrayOracle::handle_hello(const report::Hello& hello) {
 
 void PovrayOracle::handle_scene(SceneDescription scene) {
     if (state_ != State::parsing) throw WireFault("a second scene");
+    if (!image_size_fits(scene.width, scene.height))
+        fail(Exit::usage,
+             fmt::format("an image of {} x {} pixels is too large", scene.width, scene.height),
+             fmt::format("set a size of at most {} each way and {} in all with +W and +H",
+                         max_image_side, max_image_pixels));
     if (!scene_)
         scene_at_ = Clock::now();
     else if (scene.width != scene_->width || scene.height != scene_->height)
@@ -189,15 +196,17 @@ void PovrayOracle::handle_answer(const report::Answer& answer) {
 void PovrayOracle::send_waiting() {
     if (state_ != State::serving) return;
     while (sent_end_ < queue_.end()) {
-        if (crash_search_.searching() && outstanding_ > 0) break;
-        const Sequence end =
-            crash_search_.searching() ? crash_search_.next(sent_end_, queue_.end()) : queue_.end();
+        if (outstanding_ >= (crash_search_.searching() ? 1 : outstanding_limit)) break;
+        const Sequence end = crash_search_.searching()
+                                 ? crash_search_.next(sent_end_, queue_.end())
+                                 : std::min(queue_.end(), sent_end_ + wire_max_batch);
         send_range(std::exchange(sent_end_, end), end);
     }
     flush();
 }
 
-/// Sends the unanswered ones among [begin, end), a batch for each run or group of a kind.
+/// Sends the unanswered ones among [begin, end), a batch for each kind and choice of parts.
+/// REQUIRES: end - begin <= wire_max_batch.
 void PovrayOracle::send_range(Sequence begin, Sequence end) {
     constexpr std::size_t kinds = 3, all_parts = 8;
     std::array<std::vector<std::uint32_t>, kinds * all_parts> groups;
@@ -205,24 +214,19 @@ void PovrayOracle::send_range(Sequence begin, Sequence end) {
         return static_cast<std::size_t>(slot.sample.kind) * all_parts +
                static_cast<std::size_t>(slot.parts);
     };
-    while (begin < end) {
-        const Sequence stop = std::min<Sequence>(end, begin + wire_max_batch);
-        for (Sequence s = begin; s < stop; ++s)
-            if (!queue_.answered(s))
-                groups[group_of(queue_[s])].push_back(static_cast<std::uint32_t>(s - begin));
-        for (std::size_t g = 0; g < groups.size(); ++g) {
-            if (groups[g].empty()) continue;
-            Batch batch{.kind = static_cast<RayKind>(g / all_parts),
-                        .parts = static_cast<Parts>(g % all_parts),
-                        .first = begin,
-                        .count = static_cast<std::uint32_t>(groups[g].size()),
-                        .answered = 0,
-                        .offsets = {}};
-            if (groups[g].back() != batch.count - 1) batch.offsets = std::move(groups[g]);
-            send_batch(std::move(batch));
-            groups[g].clear();
-        }
-        begin = stop;
+    for (Sequence s = begin; s < end; ++s)
+        if (!queue_.answered(s))
+            groups[group_of(queue_[s])].push_back(static_cast<std::uint32_t>(s - begin));
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+        if (groups[g].empty()) continue;
+        Batch batch{.kind = static_cast<RayKind>(g / all_parts),
+                    .parts = static_cast<Parts>(g % all_parts),
+                    .first = begin,
+                    .count = static_cast<std::uint32_t>(groups[g].size()),
+                    .answered = 0,
+                    .offsets = {}};
+        if (groups[g].back() != batch.count - 1) batch.offsets = std::move(groups[g]);
+        send_batch(std::move(batch));
     }
 }
 

@@ -42,9 +42,8 @@ struct TracerStatistics {
 class PovrayOracle : public SampleOracle {
    public:
     struct Settings {
-        std::string program;                   ///< the patched POV-Ray
-        std::vector<std::string> arguments;    ///< POV-Ray's options, see povray_options.h
-        std::vector<std::string> environment;  ///< "NAME=value" beside our own environment
+        std::string program;                 ///< the patched POV-Ray
+        std::vector<std::string> arguments;  ///< POV-Ray's options, see povray_options.h
         /// Silence while answers are outstanding that counts as a stall. Parsing has no limit.
         std::chrono::milliseconds stall_timeout = std::chrono::seconds(60);
     };

@@ -13,6 +13,14 @@
 /// POV-Ray's left-handed world space.
 namespace povpreview {
 
+/// The largest picture that can be previewed: sides that GL textures and indices can hold, and
+/// colours of it in 4 GiB.
+constexpr std::int64_t max_image_side = 65535, max_image_pixels = std::int64_t{1} << 28;
+constexpr bool image_size_fits(std::int64_t width, std::int64_t height) {
+    return width >= 1 && height >= 1 && width <= max_image_side && height <= max_image_side &&
+           width * height <= max_image_pixels;
+}
+
 /// POV-Ray's camera kinds; the cylinders are its `cylinder 1` .. `cylinder 4`.
 enum class CameraKind : std::uint8_t {
     perspective,

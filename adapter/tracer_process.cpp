@@ -10,7 +10,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
@@ -69,19 +68,13 @@ std::vector<char*> pointers(std::vector<std::string>& strings) {
     return result;
 }
 
-/// Our environment with `added` ("NAME=value") in place of what has the same name.
-std::vector<std::string> environment(std::vector<std::string> added) {
-    const std::size_t count = added.size();
-    for (char** e = environ; *e; ++e) {
-        const std::string_view ours(*e);
-        const bool replaced =
-            std::any_of(added.begin(), added.begin() + static_cast<std::ptrdiff_t>(count),
-                        [name = ours.substr(0, ours.find('=') + 1)](const std::string& a) {
-                            return a.starts_with(name);
-                        });
-        if (!replaced) added.emplace_back(ours);
-    }
-    return added;
+std::vector<std::string> environment(int wire) {
+    std::vector<std::string> result;
+    constexpr std::string_view name = "POVPREVIEW_WIRE=";
+    for (char** e = environ; *e; ++e)
+        if (!std::string_view(*e).starts_with(name)) result.emplace_back(*e);
+    result.push_back(fmt::format("{}{}", name, wire));
+    return result;
 }
 
 /// What happens in the child between fork and exec: only calls that are safe there.
@@ -124,15 +117,13 @@ void FileDescriptor::reset() {
     fd_ = -1;
 }
 
-TracerProcess::TracerProcess(const std::string& program, const std::vector<std::string>& arguments,
-                             const std::vector<std::string>& added) {
+TracerProcess::TracerProcess(const std::string& program,
+                             const std::vector<std::string>& arguments) {
     Ends wire = socket_pair(program), messages = message_pipe(program),
          verdict = message_pipe(program);
     std::vector<std::string> words{program};
     words.insert(words.end(), arguments.begin(), arguments.end());
-    std::vector<std::string> variables = added;
-    variables.push_back(fmt::format("POVPREVIEW_WIRE={}", wire.theirs.get()));
-    variables = environment(std::move(variables));
+    std::vector<std::string> variables = environment(wire.theirs.get());
     const std::vector<char*> argv = pointers(words), envp = pointers(variables);
 
     // fork, not posix_spawn: that cannot tie the child's life to ours.

@@ -46,10 +46,8 @@ class FileDescriptor {
 /// thread, not the process: start it on one that lives as long as the tracer is to live).
 class TracerProcess {
    public:
-    /// Starts `program`, looked up in PATH if it has no slash. `environment` ("NAME=value") comes
-    /// beside our own. Throws Error if that fails.
-    TracerProcess(const std::string& program, const std::vector<std::string>& arguments,
-                  const std::vector<std::string>& environment);
+    /// Starts `program`, looked up in PATH if it has no slash. Throws Error if that fails.
+    TracerProcess(const std::string& program, const std::vector<std::string>& arguments);
     /// Ends and reaps the child; see stop().
     ~TracerProcess();
     TracerProcess(const TracerProcess&) = delete;

@@ -8,6 +8,7 @@
 #include <cassert>
 #include <cmath>
 #include <cstring>
+#include <limits>
 
 #include "adapter/wire_generated.h"
 
@@ -78,8 +79,8 @@ std::vector<KindCount> counts(const flatbuffers::Vector<flatbuffers::Offset<wire
 }
 
 SceneDescription scene(const wire::Scene& from) {
-    // The limits of a picture that the previewer can hold; see PovrayOptions.
-    if (from.width() < 1 || from.width() > 65535 || from.height() < 1 || from.height() > 65535)
+    constexpr std::uint32_t largest = std::numeric_limits<std::int32_t>::max();
+    if (from.width() < 1 || from.height() < 1 || from.width() > largest || from.height() > largest)
         throw WireFault(fmt::format("an image size of {} x {}", from.width(), from.height()));
     SceneDescription to;
     to.width = static_cast<int>(from.width());

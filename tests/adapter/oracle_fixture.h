@@ -22,7 +22,6 @@ inline PovrayOracle::Settings fake_tracer(std::vector<std::string> arguments,
                                           std::chrono::milliseconds stall_timeout = 60s) {
     return {.program = FAKE_TRACER,
             .arguments = std::move(arguments),
-            .environment = {},
             .stall_timeout = stall_timeout};
 }
 

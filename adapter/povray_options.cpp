@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "adapter/povray_options.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cstdlib>
+#include <fstream>
+#include <optional>
+
+#include "adapter/povray_words.h"
+#include "adapter/scene.h"
+#include "core/error.h"
+
+namespace povpreview {
+namespace {
+
+namespace fs = std::filesystem;
+using Kind = PovrayWord::Kind;
+
+constexpr const char* example = "name one, as in: povpreview scene.pov +W640 +H480";
+
+bool is_file(const fs::path& path) {
+    std::error_code error;
+    return fs::exists(path, error) && !fs::is_directory(path, error);
+}
+
+/// The INI file that POV-Ray reads before the command line (its Process_povray_ini), or nothing.
+fs::path default_ini() {
+    if (const char* named = std::getenv("POVINI"); named && is_file(named)) return named;
+    const char* home = std::getenv("HOME");
+    for (const fs::path& path :
+         {fs::path("./povray.ini"), home ? fs::path(home) / ".povray/3.7/povray.ini" : fs::path(),
+          fs::path("/etc/povray/3.7/povray.ini")})
+        if (is_file(path)) return path;
+    return {};
+}
+
+/// Follows the words to where they lead.
+class Reader {
+   public:
+    Reader();
+    void read(const std::string& argument);
+    /// Where the scene lies. Throws if there is none, or more than one was named.
+    fs::path scene() const;
+    void check_size() const;
+
+   private:
+    void read_ini(const std::string& specification, int depth);
+    void read_ini_file(const fs::path& file, const std::string& section, int depth);
+    void take(const PovrayWord& word, int depth);
+    std::optional<fs::path> find(const std::string& name) const;
+
+    std::vector<std::string> named_;  ///< scenes, on the command line
+    std::string in_ini_;              ///< the last scene that an INI file names
+    std::vector<fs::path> libraries_;
+    std::int64_t width_ = 1, height_ = 1;  ///< as far as the command line says
+};
+
+/// A side of the image in pixels. Throws unless it is one.
+std::int64_t side(const std::string& text, const char* what, const char* option) {
+    std::int64_t value = 0;
+    const char* end = text.data() + text.size();
+    const auto [stopped, error] = std::from_chars(text.data(), end, value);
+    if (error != std::errc() || stopped != end || value < 1 || value > max_image_side)
+        throw Error(
+            Exit::usage, fmt::format("'{}' is no {} in pixels", text, what), "",
+            fmt::format("give a whole number from 1 to {}, as in {}", max_image_side, option));
+    return value;
+}
+
+Reader::Reader() {
+    const fs::path ini = default_ini();
+    if (!ini.empty())
+        read_ini_file(ini, "", 0);
+    else
+        libraries_.emplace_back("/usr/share/povray-3.7/include");
+    if (const char* path = std::getenv("POVINC")) libraries_.emplace_back(path);
+}
+
+void Reader::read(const std::string& argument) {
+    for (const std::string& text : split_words(argument)) {
+        const PovrayWord word = read_word(text);
+        if (word.kind == Kind::width) width_ = side(word.value, "width", "+W640");
+        if (word.kind == Kind::height) height_ = side(word.value, "height", "+H480");
+        if (word.kind == Kind::input)
+            named_.push_back(word.value);
+        else
+            take(word, 0);
+    }
+}
+
+/// The settings that mean the same on the command line and in an INI file `depth` - 1 levels down.
+void Reader::take(const PovrayWord& word, int depth) {
+    if (word.kind == Kind::input) in_ini_ = word.value;
+    if (word.kind == Kind::library) libraries_.emplace_back(word.value);
+    if (word.kind == Kind::ini) read_ini(word.value, depth);
+}
+
+/// `specification` is a file name with a section behind it in brackets, or none.
+void Reader::read_ini(const std::string& specification, int depth) {
+    const std::size_t bracket = specification.find('[');
+    const std::string name = specification.substr(0, bracket);
+    std::string section;
+    if (bracket != std::string::npos) {
+        section = specification.substr(bracket + 1);
+        section = section.substr(0, section.find(']'));
+    }
+    const std::optional<fs::path> file = find(name);
+    if (!file)
+        throw Error(Exit::usage, "there is no such file, neither a scene nor an INI file", name,
+                    "check the name; scenes end in .pov");
+    read_ini_file(*file, section, depth);
+}
+
+void Reader::read_ini_file(const fs::path& file, const std::string& section, int depth) {
+    constexpr int deepest = 16;  // a file may include itself
+    if (depth > deepest)
+        throw Error(Exit::usage, "INI files include one another without end", file.string(),
+                    "take out an Include_Ini");
+    const auto same = [](const std::string& a, const std::string& b) {
+        return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](char x, char y) {
+            return std::tolower(static_cast<unsigned char>(x)) ==
+                   std::tolower(static_cast<unsigned char>(y));
+        });
+    };
+    std::ifstream stream(file);
+    bool ours = true;  // what stands before the first section belongs to all
+    for (std::string line; std::getline(stream, line);) {
+        const std::size_t begin = line.find_first_not_of(" \t\r");
+        if (begin == std::string::npos) continue;
+        line = line.substr(begin, line.find_first_of(";#", begin) - begin);
+        if (line.starts_with('['))
+            ours = !section.empty() && same(line.substr(1, line.find(']') - 1), section);
+        else if (ours && line.find('=') != std::string::npos && line[0] != '+' && line[0] != '-')
+            take(read_word(line), depth + 1);
+        else if (ours)
+            for (const std::string& word : split_words(line)) take(read_word(word), depth + 1);
+    }
+}
+
+std::optional<fs::path> Reader::find(const std::string& name) const {
+    std::vector<fs::path> folders{""};
+    if (fs::path(name).is_relative())
+        folders.insert(folders.end(), libraries_.begin(), libraries_.end());
+    for (const fs::path& folder : folders)
+        if (is_file(folder / name)) return folder / name;
+    return std::nullopt;
+}
+
+fs::path Reader::scene() const {
+    for (const std::string& name : named_)
+        if (name != named_.front())
+            throw Error(Exit::usage,
+                        fmt::format("there are two scenes, {} and {}", named_.front(), name), "",
+                        "name one of them");
+    const std::string& name = named_.empty() ? in_ini_ : named_.front();
+    if (name.empty()) throw Error(Exit::usage, "there is no scene to show", "", example);
+    std::optional<fs::path> found = find(name);
+    if (!found) found = find(name + ".pov");
+    if (!found) {
+        std::error_code error;
+        const bool folder = fs::is_directory(name, error);
+        throw Error(Exit::usage, folder ? "this is a folder" : "there is no such file", name,
+                    folder ? example : "check the name, or give the folder it lies in by +Lfolder");
+    }
+    if (access(found->c_str(), R_OK) != 0)
+        throw Error(Exit::usage, "the scene cannot be read", found->string(),
+                    "see who may read it (ls -l)");
+    return *found;
+}
+
+void Reader::check_size() const {
+    if (!image_size_fits(width_, height_))
+        throw Error(Exit::usage,
+                    fmt::format("an image of {} x {} pixels is too large", width_, height_), "",
+                    fmt::format("choose +W and +H for at most {} pixels", max_image_pixels));
+}
+
+}  // namespace
+
+PovrayOptions read_povray_options(const std::vector<std::string>& words) {
+    PovrayOptions result;
+    Reader reader;
+    for (const std::string& word : words) {
+        result.words.push_back(quoted_for_povray(word));
+        reader.read(result.words.back());
+    }
+    reader.check_size();
+    result.scene = reader.scene();
+    return result;
+}
+
+std::vector<std::string> PovrayOptions::tracer_arguments() const {
+    std::vector<std::string> result = words;
+    // One frame even where an INI file describes an animation; which one, +K says.
+    for (const char* forced : {"Initial_Frame=1", "Final_Frame=1", "-D", "-F", "-P", "-C"})
+        result.emplace_back(forced);
+    return result;
+}
+
+std::vector<std::string> PovrayOptions::stock_arguments(const fs::path& output) const {
+    std::vector<std::string> result = words;
+    for (const char* forced :
+         {"Initial_Frame=1", "Final_Frame=1", "-D", "-P", "-C", "-A",  // one sample per pixel
+          "+SC0.0", "+EC1.0", "+SR0.0", "+ER1.0",                      // the whole image
+          "+FN16", "-UA", "-TH", "Grayscale_Output=off", "File_Gamma=sRGB", "-GA",
+          "+GF"})  // quiet, but for what ends it
+        result.emplace_back(forced);
+    result.push_back("+O" + quoted_name(output.string()));
+    return result;
+}
+
+}  // namespace povpreview

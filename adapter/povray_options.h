@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace povpreview {
+
+/// POV-Ray's part of a command line, read as far as we must know it; all the rest is passed on as
+/// it is. POV-Ray applies povray.ini first, then the words from left to right, and later ones win,
+/// so what we force comes last.
+struct PovrayOptions {
+    std::vector<std::string> words;  ///< as POV-Ray is to get them: file names with blanks quoted
+    std::filesystem::path scene;     ///< where the scene file was found
+
+    /// For the patched POV-Ray: the user's words; no files, no window, one frame.
+    std::vector<std::string> tracer_arguments() const;
+    /// For the stock POV-Ray: the same picture, complete and not anti-aliased, as a 16 bit PNG in
+    /// sRGB encoding and without alpha at `output`; messages only if it fails.
+    std::vector<std::string> stock_arguments(const std::filesystem::path& output) const;
+};
+
+/// Reads POV-Ray's words: `scene.pov`, `+Iscene.pov`, `file.ini[section]`, `+W640`, `Width=640`,
+/// `+Lfolder` and the like. Looks for the scene where POV-Ray does, also in INI files and library
+/// paths. Throws Error(Exit::usage) where there is no scene, more than one, no such file, or where
+/// `+W` or `+H` is no size that can be shown (see scene.h).
+PovrayOptions read_povray_options(const std::vector<std::string>& words);
+
+}  // namespace povpreview

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// POV-Ray's way of reading words, from a command line or an INI file (its ProcessOptions).
+namespace povpreview {
+
+/// One setting. Only those that we must understand are told apart.
+struct PovrayWord {
+    enum class Kind {
+        input,    ///< +Ifile, Input_File_Name=file, file.pov
+        library,  ///< +Lfolder, Library_Path=folder, folder/
+        ini,      ///< file.ini[section], Include_Ini=file
+        width,    ///< +Wn, Width=n
+        height,   ///< +Hn, Height=n
+        other
+    };
+    Kind kind = Kind::other;
+    std::string value;  ///< behind the keyword, without quotes
+};
+
+/// Splits at blanks outside quotes, as POV-Ray does even with a single argument of the shell.
+std::vector<std::string> split_words(std::string_view text);
+
+/// Reads one word that split_words() made.
+PovrayWord read_word(std::string_view word);
+
+/// An argument of the shell as POV-Ray must get it: file names with blanks, which it would split,
+/// are quoted, if a file of that name exists.
+std::string quoted_for_povray(const std::string& argument);
+
+/// A file name as POV-Ray reads it back as one.
+std::string quoted_name(const std::string& name);
+
+}  // namespace povpreview
