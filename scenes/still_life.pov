@@ -32,8 +32,8 @@ camera {
 // ---------------------------------------------------------------------------------------------
 // Light: a window on the left, as an area light and as something to be mirrored
 // ---------------------------------------------------------------------------------------------
-#declare WindowAt = <-62, 58, -42>;
-#declare WindowSide = vnormalize(<-42, 0, 62>);
+#declare WindowAt = <-56, 70, -42>;
+#declare WindowSide = vnormalize(<-42, 0, 56>);
 #declare WindowUp = vnormalize(vcross(WindowSide, WindowAt));
 #declare WindowUp = WindowUp * (WindowUp.y < 0 ? -1 : 1);
 
@@ -102,7 +102,10 @@ union {
       conserve_energy
     }
   }
-  interior { ior 1.5 }
+  interior {
+    ior 1.5
+    caustics 0.7
+  }
 }
 
 #declare Wine = material {
@@ -112,6 +115,7 @@ union {
   }
   interior {
     ior 1.34
+    caustics 0.5
     fade_distance 3
     fade_power 1001
     fade_color rgb <0.55, 0.02, 0.05>
