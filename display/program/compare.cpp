@@ -48,7 +48,7 @@ class Comparison {
    private:
     std::vector<Moment> trace(const std::string& method) {
         TracedScene scene(
-            read_povray_words(options_.povray).tracer_arguments(), options_.stall_timeout,
+            read_povray_options(options_.povray).tracer_arguments(), options_.stall_timeout,
             [&](const std::string& text) { line_.show(method + ": " + text); }, interrupted);
         check_size(scene.description());
         StrategyRun run(method, scene, scene.oracle());

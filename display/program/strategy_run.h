@@ -17,7 +17,7 @@ class StrategyRun {
     StrategyRun(const std::string& method, TracedScene& scene, SampleOracle& oracle)
         : scene_(scene),
           previewer_(make_previewer(method, scene.description().width, scene.description().height)),
-          session_(oracle, *previewer_) {}
+          session_(*previewer_, oracle) {}
 
     Session& session() { return session_; }
     const Previewer& previewer() const { return *previewer_; }
