@@ -152,14 +152,15 @@ void Blocks::accept(const Sample& sample) {
     std::uint32_t node = outstanding_.front();
     outstanding_.pop_front();
     samples_.push_back(sample.position);
-    // The block may have been split while its answer was on the way: hand it down to the heirs.
+    // The block may have been split while its answer was on the way. Its descendants were asked for
+    // later, so it still stands for all of them; those that inherit its sample are told.
+    const Node n = nodes_[node];
+    canvas_.fill(n.x0, n.y0, n.x1, n.y1, sample.colour);
     nodes_[node].colour = sample.colour;
     while (nodes_[node].children != 0) {
-        node = child_at(nodes_[node], nodes_[node].x, nodes_[node].y);
+        node = child_at(nodes_[node], n.x, n.y);
         nodes_[node].colour = sample.colour;
     }
-    const Node& n = nodes_[node];
-    canvas_.fill(n.x0, n.y0, n.x1, n.y1, n.colour);
 }
 
 bool Blocks::done() const {
