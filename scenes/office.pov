@@ -2,14 +2,15 @@
 //
 // An office on a late afternoon, made of flat polygons only.
 //
-// Tests: the ground the method was published on, a furnished room of polygons. Every outline,
-//   hard shadow and flat reflection can be known from geometry alone: boxes, prisms with linear
-//   splines, triangle meshes; two point lights; one flat mirror. Hundreds of small parts (books,
-//   keys, leaves) beside large plain walls, and a few textures (floor, rug, pictures, screen).
-// Should be seen: a desk under a window with hills and houses behind it; the sun drawing the
-//   window's bars on the floor, the rug and the armchair; a pendant lamp that lights the room and
-//   an octagon of the ceiling; in the mirror on the far wall the desk, the curtain and the window
-//   from the side, and two pictures and a door that hang behind the camera.
+// Tests: the ground the method was published on, a furnished room of polygons (about 9,000; the
+//   count is printed after parsing). Every outline, hard shadow and flat reflection can be known
+//   from geometry alone: boxes, prisms with linear splines, triangle meshes; two point lights; one
+//   flat mirror. Hundreds of small parts (books, keys, leaves) beside large plain walls, and a few
+//   textures (floor, rug, pictures, screen).
+// Should be seen: a desk under a window with a village and hills behind it; the sun drawing the
+//   window's bars on the floor and the rug; a pendant lamp that lights the room below its rim and
+//   an octagon of the ceiling; in the mirror on the far wall the desk, the chair, the curtain and
+//   the window from the other side, and a picture that hangs outside the camera's own view.
 // Camera: aspect 4:3, meant for 640x480 and up.
 // Options: Declare=Radiosity=1 replaces the constant ambient light by computed indirect light.
 //
@@ -889,7 +890,7 @@ light_source {
 #end
 
 // ---------------------------------------------------------------------------------------------
-// Shelves, plants, pictures, mirror, clock, door
+// Shelves, plants, pictures, mirror, rug
 // ---------------------------------------------------------------------------------------------
 // One row of standing books from X0 until X1 is full, spines towards -z; some lean, some gape.
 #macro BookRow(X0, X1, Space)
@@ -1058,17 +1059,6 @@ light_source {
   translate <0.1, 0.1, 0.05>
 }
 
-#declare ArtMarble = pigment {
-  agate
-  color_map {
-    [0.0 color srgb <0.10, 0.20, 0.30>]
-    [0.4 color srgb <0.22, 0.48, 0.52>]
-    [0.7 color srgb <0.88, 0.84, 0.70>]
-    [1.0 color srgb <0.80, 0.50, 0.25>]
-  }
-  scale 0.35
-}
-
 #macro WallMirror(W, H)
   union {
     object {
@@ -1082,63 +1072,6 @@ light_source {
     object {
       Block(<-W / 2, -H / 2, -0.02>, <W / 2, H / 2, 0>)
       texture { MirrorGlass }
-    }
-  }
-#end
-
-#macro Clock(R)
-  union {
-    object {
-      Column(24, R, 0, 0.03)
-      rotate x * -90
-      Plain(Charcoal)
-    }
-    object {
-      Column(24, R * 0.92, 0.03, 0.032)
-      rotate x * -90
-      Plain(Paper)
-    }
-    union {
-      #for (I, 0, 11)
-        object {
-          Block(<-0.006, R * 0.74, -0.035>, <0.006, R * 0.86, -0.032>)
-          rotate z * I * 30
-        }
-      #end
-      object {
-        Block(<-0.007, -0.02, -0.037>, <0.007, R * 0.50, -0.035>)
-        rotate z * -140
-      }
-      object {
-        Block(<-0.005, -0.03, -0.039>, <0.005, R * 0.78, -0.037>)
-        rotate z * -245
-      }
-      Plain(Charcoal)
-    }
-  }
-#end
-
-#macro Door()
-  union {
-    object {
-      Block(<-0.45, 0, -0.02>, <0.45, 2.05, 0>)
-      Plain(srgb <0.80, 0.84, 0.82>)
-    }
-    union {
-      Block(<-0.34, 0.15, -0.03>, <0.34, 0.90, -0.02>)
-      Block(<-0.34, 1.02, -0.03>, <0.34, 1.92, -0.02>)
-      Plain(srgb <0.74, 0.79, 0.77>)
-    }
-    union {
-      Block(<-0.53, 0, -0.03>, <-0.45, 2.13, 0>)
-      Block(<0.45, 0, -0.03>, <0.53, 2.13, 0>)
-      Block(<-0.45, 2.05, -0.03>, <0.45, 2.13, 0>)
-      Plain(White)
-    }
-    union {
-      Block(<0.36, 0.98, -0.05>, <0.39, 1.01, -0.02>)
-      Block(<0.27, 0.985, -0.06>, <0.39, 1.005, -0.045>)
-      Plain(Brass)
     }
   }
 #end
@@ -1213,12 +1146,7 @@ object { Rug(2.3, 1.7) rotate y * 4 translate <3.05, 0, 3.0> }
 object { Armchair() rotate y * 38 translate <3.75, 0.012, 3.55> }
 object { LowTable() translate <2.62, 0.012, 3.30> }
 
-// behind the camera, seen in the mirror only
-object { Door() rotate y * 180 translate <2.15, 0, 0> }
-object { Picture(0.9, 0.8, ArtMarble, Walnut) rotate y * 180 translate <0.85, 1.55, 0> }
-object { Clock(0.17) rotate y * 180 translate <3.1, 1.95, 0> }
-// on the walls in view
-object { Picture(0.55, 0.75, ArtDunes, Walnut) rotate y * -90 translate <0, 1.55, 0.85> }
+object { Picture(0.55, 0.75, ArtDunes, Walnut) rotate y * -90 translate <0, 1.55, 0.85> } // in the mirror
 object { Picture(0.55, 0.55, ArtTiles, Charcoal) translate <0.55, 1.95, RoomD> }
 
 #debug concat("office.pov: ", str(Faces, 0, 0), " polygons\n")

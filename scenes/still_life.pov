@@ -7,7 +7,8 @@
 //   images on curved gloss, penumbrae of an area light, procedural wood, bumps on an orange, and
 //   a cloth as a smooth mesh.
 // Should be seen: soft light from a window on the left, which stands as a bright cross-barred
-//   highlight on everything glossy; the room upside down in the ball; red light through the wine;
+//   highlight on everything glossy; the room upside down in the ball; a reddish
+//   shadow where light went through the wine;
 //   a pale cloth that runs under the bowl and falls over the edge of the table in folds.
 // Camera: aspect 4:3, meant for 640x480 and up.
 //
@@ -32,8 +33,8 @@ camera {
 // ---------------------------------------------------------------------------------------------
 // Light: a window on the left, as an area light and as something to be mirrored
 // ---------------------------------------------------------------------------------------------
-#declare WindowAt = <-56, 70, -42>;
-#declare WindowSide = vnormalize(<-42, 0, 56>);
+#declare WindowAt = <-60, 62, -42>;
+#declare WindowSide = vnormalize(<-42, 0, 60>);
 #declare WindowUp = vnormalize(vcross(WindowSide, WindowAt));
 #declare WindowUp = WindowUp * (WindowUp.y < 0 ? -1 : 1);
 
