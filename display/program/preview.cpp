@@ -48,7 +48,8 @@ class Preview {
     Exit run() {
         scene_.emplace(
             povray_.tracer_arguments(), options_.stall_timeout,
-            [&](const std::string& what) { announce(what); }, [&] { return stopped_early(); });
+            [&](const std::string& what) { line_.show(what); }, interrupted);
+        open_window();
         lanes_.emplace(scene_->oracle());
         main_.emplace(options_.method, *scene_, lanes_->lane(0));
         if (!options_.log.empty()) log_.emplace(options_.log);

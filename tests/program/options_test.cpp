@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "display/program/options.h"
+
+#include <gtest/gtest.h>
+
+#include "core/error.h"
+
+namespace povpreview {
+namespace {
+
+CommandLine read(std::vector<const char*> words) {
+    words.insert(words.begin(), "povpreview");
+    return read_command_line(static_cast<int>(words.size()), words.data());
+}
+
+TEST(CommandLine, LeavesPovrayItsOwn) {
+    const auto line = read({"+W320", "-A", "Declare=x=1", "--time", "2.5", "scene.pov",
+                            "quality.ini[low]", "--headless"});
+    ASSERT_TRUE(line.preview);
+    EXPECT_EQ(line.preview->povray, (std::vector<std::string>{"+W320", "-A", "Declare=x=1",
+                                                              "scene.pov", "quality.ini[low]"}));
+    EXPECT_EQ(line.preview->time, 2.5);
+    EXPECT_TRUE(line.preview->headless);
+}
+
+TEST(CommandLine, AcceptsBothWaysToGiveAValue) {
+    EXPECT_EQ(read({"s.pov", "--samples=12"}).preview->samples, 12u);
+    EXPECT_EQ(read({"s.pov", "--samples", "12"}).preview->samples, 12u);
+    EXPECT_EQ(read({"s.pov", "--size", "640x480"}).preview->size, glm::ivec2(640, 480));
+}
+
+TEST(CommandLine, CompareTakesAListOfMethods) {
+    const auto line = read({"compare", "s.pov", "--out", "d", "--methods", "mesh,blocks"});
+    ASSERT_TRUE(line.compare);
+    EXPECT_EQ(line.compare->methods, (std::vector<std::string>{"mesh", "blocks"}));
+    EXPECT_EQ(line.compare->povray, std::vector<std::string>{"s.pov"});
+    EXPECT_EQ(read({"compare", "s.pov", "--out", "d"}).compare->methods.size(), 5u);
+}
+
+class BadCommandLine : public ::testing::TestWithParam<std::vector<const char*>> {};
+
+TEST_P(BadCommandLine, IsOneLineAndExitCodeTwo) {
+    try {
+        read(GetParam());
+        FAIL() << "was accepted";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.exit(), Exit::usage);
+        EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, BadCommandLine,
+    ::testing::Values(std::vector<const char*>{"s.pov", "--nonsense"},
+                      std::vector<const char*>{"s.pov", "--time"},
+                      std::vector<const char*>{"s.pov", "--time", "-1"},
+                      std::vector<const char*>{"s.pov", "--time", "soon"},
+                      std::vector<const char*>{"s.pov", "--samples", "0"},
+                      std::vector<const char*>{"s.pov", "--samples", "-5"},
+                      std::vector<const char*>{"s.pov", "--method", "magic"},
+                      std::vector<const char*>{"s.pov", "--beside", "magic"},
+                      std::vector<const char*>{"s.pov", "--overlay", "magic"},
+                      std::vector<const char*>{"s.pov", "--backend", "magic"},
+                      std::vector<const char*>{"s.pov", "--size", "0x5"},
+                      std::vector<const char*>{"s.pov", "--size", "-3x5"},
+                      std::vector<const char*>{"s.pov", "--size", "1000000000x1000000000"},
+                      std::vector<const char*>{"s.pov", "--size", "65535x65535"},
+                      std::vector<const char*>{"s.pov", "--size", "big"},
+                      std::vector<const char*>{"compare", "s.pov"},
+                      std::vector<const char*>{"compare", "s.pov", "--out", "d", "--methods",
+                                               "x"}));
+
+}  // namespace
+}  // namespace povpreview
