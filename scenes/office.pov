@@ -2,7 +2,7 @@
 //
 // An office on a late afternoon, made of flat polygons only.
 //
-// Tests: the ground the method was published on, a furnished room of polygons (about 9,000; the
+// Tests: the ground the method was published on, a furnished room of polygons (about 8,800; the
 //   count is printed after parsing). Every outline, hard shadow and flat reflection can be known
 //   from geometry alone: boxes, prisms with linear splines, triangle meshes; two point lights; one
 //   flat mirror. Hundreds of small parts (books, keys, leaves) beside large plain walls, and a few
@@ -288,7 +288,8 @@ light_source {
         #for (Q, -1, 1, 2)
           #local E0 = V*P + W*Q + U;
           #local E1 = V*P + W*Q - U;
-          Quad(Corner(E0, mod(K + 1, 3)), Corner(E1, mod(K + 1, 3)), Corner(E1, mod(K + 2, 3)), Corner(E0, mod(K + 2, 3)))
+          Quad(Corner(E0, mod(K + 1, 3)), Corner(E1, mod(K + 1, 3)),
+               Corner(E1, mod(K + 2, 3)), Corner(E0, mod(K + 2, 3)))
           #if (K = 0)
             Tri(Corner(E0, 0), Corner(E0, 1), Corner(E0, 2))
             Tri(Corner(E1, 0), Corner(E1, 1), Corner(E1, 2))
@@ -996,7 +997,8 @@ light_source {
       #for (J, 0, LeavesPerStem - 1)
         #local F = 0.35 + 0.65 * J / (LeavesPerStem - 1);
         mesh {
-          Leaf(Foot + (Top - Foot) * F, J * 137.5 + I * 50, Between(0.6, 1.1) + 0.3 * F, Length * Between(0.7, 1.05), Length * 0.16)
+          Leaf(Foot + (Top - Foot) * F, J * 137.5 + I * 50, Between(0.6, 1.1) + 0.3 * F,
+               Length * Between(0.7, 1.05), Length * 0.16)
           Plain(srgb <0.25, 0.43, 0.20> * Between(0.75, 1.25))
         }
       #end

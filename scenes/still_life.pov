@@ -7,9 +7,9 @@
 //   images on curved gloss, penumbrae of an area light, procedural wood, bumps on an orange, and
 //   a cloth as a smooth mesh.
 // Should be seen: soft light from a window on the left, which stands as a bright cross-barred
-//   highlight on everything glossy; the room upside down in the ball; a reddish
-//   shadow where light went through the wine;
-//   a pale cloth that runs under the bowl and falls over the edge of the table in folds.
+//   highlight on everything glossy; the room upside down in the ball; a reddish shadow where the
+//   light went through the wine; a pale cloth that runs under the bowl and falls over the edge of
+//   the table in folds.
 // Camera: aspect 4:3, meant for 640x480 and up.
 //
 // Units are centimetres; x right, y up, z away; the table top is y = 0. The area light is not
@@ -208,7 +208,8 @@ plane {
   #local Lift = 0.12 + 0.10 * (1 + sin(Flat.x * 0.42 + Flat.z * 0.23)) * (1 + sin(Flat.z * 0.31 - Flat.x * 0.13));
   #local Turn = max(0, min(Over / Bend, pi / 2));
   #local Hang = max(0, Over - Bend * pi / 2);
-  #local Fold = (1 - exp(-0.045 * Hang * Hang)) * (1.1 + sin(Flat.x * 0.66 + 0.4 * sin(Flat.x * 0.31)) + 0.25 * sin(Flat.x * 1.31 + Hang * 0.10));
+  #local Fold = (1 - exp(-0.045 * Hang * Hang))
+    * (1.1 + sin(Flat.x * 0.66 + 0.4 * sin(Flat.x * 0.31)) + 0.25 * sin(Flat.x * 1.31 + Hang * 0.10));
   <Flat.x + 0.25 * Fold,
    (Bend + Lift) * cos(Turn) - Bend - Hang,
    max(Flat.z, Edge) - (Bend + Lift) * sin(Turn) - 0.9 * Fold>
@@ -537,10 +538,22 @@ object { Jug rotate y * 155 translate <-17.5, 0, 10> }
 
 union { // the bowl and what it holds
   object { Bowl }
-  object { Apple(srgb <0.74, 0.13, 0.10>, srgb <0.84, 0.66, 0.24>, 130) rotate <-14, 0, 12> translate <-5.6, 4.0, -4.4> }
+  object {
+    Apple(srgb <0.74, 0.13, 0.10>, srgb <0.84, 0.66, 0.24>, 130)
+    rotate <-14, 0, 12>
+    translate <-5.6, 4.0, -4.4>
+  }
   object { Orange translate <3.0, 4.6, -5.4> }
-  object { Apple(srgb <0.52, 0.62, 0.18>, srgb <0.76, 0.70, 0.28>, 20) rotate <8, 0, -14> translate <6.4, 4.4, 2.2> }
-  object { Apple(srgb <0.70, 0.16, 0.10>, srgb <0.86, 0.62, 0.22>, 250) rotate <10, 0, 10> translate <-4.5, 4.6, 4.6> }
+  object {
+    Apple(srgb <0.52, 0.62, 0.18>, srgb <0.76, 0.70, 0.28>, 20)
+    rotate <8, 0, -14>
+    translate <6.4, 4.4, 2.2>
+  }
+  object {
+    Apple(srgb <0.70, 0.16, 0.10>, srgb <0.86, 0.62, 0.22>, 250)
+    rotate <10, 0, 10>
+    translate <-4.5, 4.6, 4.6>
+  }
   object { Pear rotate <-8, 40, 16> translate <1.2, 5.8, 0.8> }
   translate <-2.5, OnCloth, 3>
 }
