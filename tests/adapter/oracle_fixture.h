@@ -20,9 +20,8 @@ using namespace std::chrono_literals;
 /// A PovrayOracle over the fake tracer with these arguments (see fake_tracer.cpp).
 inline PovrayOracle::Settings fake_tracer(std::vector<std::string> arguments,
                                           std::chrono::milliseconds stall_timeout = 60s) {
-    return {.program = FAKE_TRACER,
-            .arguments = std::move(arguments),
-            .stall_timeout = stall_timeout};
+    return {
+        .program = FAKE_TRACER, .arguments = std::move(arguments), .stall_timeout = stall_timeout};
 }
 
 /// Every pixel centre of the fake scene.

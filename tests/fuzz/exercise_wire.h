@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <cmath>
+#include <cstdlib>
+#include <span>
+
+#include "adapter/wire.h"
+
+namespace povpreview {
+
+/// Does to a stream all that the previewer does, and more: reads it in chunks, decodes each frame,
+/// reads each sample as if it had been asked for. Ends the process where a promise of wire.h is
+/// broken. Returns whether something was refused.
+inline bool exercise_wire(std::span<const std::byte> stream, std::size_t chunk) {
+    const auto promise = [](bool kept) {
+        if (!kept) std::abort();
+    };
+    const auto read_all = [&](const report::Answer& answer) {
+        for (const RayKind kind : {RayKind::full, RayKind::probe, RayKind::albedo})
+            for (unsigned parts = 0; parts < 8; ++parts) try {
+                    answer.check_asked(wire_max_batch, kind, static_cast<Parts>(parts));
+                } catch (const WireFault&) {
+                }
+        promise(answer.count() >= 1 && answer.first() + answer.count() <= wire_max_batch);
+        for (std::uint32_t i = 0; i < answer.count(); ++i) {
+            Sample sample{.position = {3, 4}, .kind = static_cast<RayKind>(i % 3)};
+            answer.read(i, sample);
+            promise(sample.position == glm::dvec2(3, 4) && std::isfinite(sample.colour.x) &&
+                    std::isfinite(sample.illumination.y) && std::isfinite(sample.depth));
+            promise(!sample.failed || sample.colour == glm::vec3(0));
+        }
+    };
+    FrameReader reader;
+    try {
+        while (!stream.empty()) {
+            const auto part = stream.first(std::min(chunk, stream.size()));
+            stream = stream.subspan(part.size());
+            reader.feed(part, [&](std::span<const std::byte> frame) {
+                promise(frame.size() <= wire_max_frame);
+                const Report report = decode_report(frame);
+                if (const auto* answer = std::get_if<report::Answer>(&report)) read_all(*answer);
+                if (const auto* scene = std::get_if<SceneDescription>(&report))
+                    promise(scene->width >= 1 && scene->height >= 1);
+            });
+        }
+    } catch (const WireFault&) {
+        return true;
+    }
+    return false;
+}
+
+}  // namespace povpreview
