@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "backend/oracle/oracle.h"
+
+#include <fcntl.h>
+#include <sys/prctl.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+
+namespace povpreview::tracer {
+
+Oracle& Oracle::instance() {
+    // Never destroyed: its threads run until the process ends.
+    static Oracle* const oracle = new Oracle;
+    return *oracle;
+}
+
+Oracle::Oracle() {
+    const char* wire = std::getenv("POVPREVIEW_WIRE");
+    if (wire == nullptr) return;
+    char* end = nullptr;
+    const long socket = std::strtol(wire, &end, 10);
+    int type = 0;
+    socklen_t size = sizeof type;
+    if (end == wire || *end != '\0' || socket < 0 || socket > 1 << 20 ||
+        getsockopt(static_cast<int>(socket), SOL_SOCKET, SO_TYPE, &type, &size) != 0 ||
+        type != SOCK_STREAM) {
+        std::fprintf(stderr, "povpreview tracer: POVPREVIEW_WIRE=%s is no stream socket\n", wire);
+        _exit(3);
+    }
+    socket_ = static_cast<int>(socket);
+    fcntl(socket_, F_SETFD, FD_CLOEXEC);  // not for the commands that a scene's options may run
+    unsetenv("POVPREVIEW_WIRE");
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+}
+
+void Oracle::start(const std::string& povray, unsigned threads) {
+    if (!enabled() || wire_) return;
+    queue_.set_threads(threads);
+    wire_ = std::make_unique<WireEnd>(socket_, povray, threads, queue_);
+}
+
+void Oracle::progress(Stage stage, std::uint64_t done, std::uint64_t total) {
+    if (wire_) wire_->progress(stage, done, total);
+}
+
+void Oracle::expect(Stage stage, std::uint64_t total) {
+    stage_ = stage;
+    total_ = total;
+    done_ = 0;
+    progress(stage, 0, total);
+}
+
+void Oracle::advance(std::uint64_t done) {
+    const std::uint64_t now = done_ += done;
+    progress(stage_, now, total_);
+}
+
+void Oracle::note_error(const std::string& text, const std::string& file, long line, bool certain) {
+    if (!enabled()) return;
+    const std::lock_guard lock(error_mutex_);
+    if (error_certain_ && !certain) return;
+    error_ = text;
+    error_file_ = file;
+    error_line_ = line > 0 ? static_cast<unsigned>(line) : 0;
+    error_certain_ = certain;
+}
+
+void Oracle::fail(const std::string& text) {
+    if (!enabled()) return;
+    start("", 0);
+    const std::lock_guard lock(error_mutex_);
+    wire_->send_failure(error_.empty() ? text : error_, error_file_, error_line_);
+}
+
+}  // namespace povpreview::tracer

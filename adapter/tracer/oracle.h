@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "backend/oracle/scene_facts.h"
+#include "backend/oracle/wire_end.h"
+#include "backend/oracle/work_queue.h"
+
+namespace povpreview::tracer {
+
+/// What the patches call to turn a run of POV-Ray into a sample oracle.
+///
+/// With POVPREVIEW_WIRE in the environment (the number of a descriptor, one end of a stream socket
+/// pair) POV-Ray parses its scene once and then answers orders until the previewer closes its end.
+/// Without it every function here does nothing and POV-Ray is what it always was.
+class Oracle {
+   public:
+    static Oracle& instance();
+
+    bool enabled() const { return socket_ >= 0; }
+    WorkQueue& queue() { return queue_; }
+    WireEnd& wire() { return *wire_; }
+
+    /// Says Hello. Called when the options are known.
+    void start(const std::string& povray, unsigned threads);
+
+    /// Progress of a stage that counts what it has done; `total` 0: not known.
+    void progress(Stage stage, std::uint64_t done, std::uint64_t total);
+    /// The same for a stage that several threads advance.
+    void expect(Stage stage, std::uint64_t total);
+    void advance(std::uint64_t done);
+
+    /// Keeps POV-Ray's message for `fail`; a certain error outweighs a possible one.
+    void note_error(const std::string& text, const std::string& file, long line, bool certain);
+    /// Passes on what was noted, or else `text`, as the last word.
+    void fail(const std::string& text);
+
+   private:
+    Oracle();
+
+    int socket_ = -1;
+    WorkQueue queue_;
+    std::unique_ptr<WireEnd> wire_;
+
+    std::mutex error_mutex_;
+    std::string error_, error_file_;
+    unsigned error_line_ = 0;
+    bool error_certain_ = false;
+
+    std::atomic<Stage> stage_{Stage::parsing};
+    std::atomic<std::uint64_t> done_{0}, total_{0};
+};
+
+/// Short for use inside POV-Ray.
+inline bool enabled() { return Oracle::instance().enabled(); }
+
+}  // namespace povpreview::tracer

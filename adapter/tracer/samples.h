@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+/// The tracer's end of the wire, linked into POV-Ray (see patches/). These files are copied to
+/// source/backend/oracle/ of POV-Ray's tree and built there with POV-Ray's own settings.
+///
+/// What crosses between the threads of the tracer, in plain numbers: this header and those that
+/// include nothing but it know neither POV-Ray nor the wire format.
+namespace povpreview::tracer {
+
+/// As wire::RayKind and core/oracle.h.
+enum class RayKind : std::uint8_t { full, probe, albedo };
+
+/// Which vectors an answer carries; as wire::Parts, plus the colour that only full rays have.
+struct Parts {
+    bool light = false;
+    bool surface = false;
+    bool shading = false;
+    bool signature = false;
+};
+
+struct Position {
+    double x, y;  ///< pixel coordinates; (.5, .5) is the centre of the first pixel
+};
+
+struct Rgb {
+    float r = 0, g = 0, b = 0;
+};
+
+/// One sample in linear light; the fields are those of core/oracle.h.
+struct Sample {
+    bool failed = false;
+    Rgb light;
+    float transmittance = 0;
+    std::uint32_t surface = 0;
+    float depth = 0;
+    Rgb normal;
+    Rgb albedo, illumination, remainder;
+    std::uint32_t primary = 0, lights = 0, reflected = 0, refracted = 0;
+    std::uint32_t cost_ns = 0;
+};
+
+/// An order from the previewer.
+struct Batch {
+    std::uint64_t number = 0;
+    RayKind kind = RayKind::full;
+    Parts parts;
+    std::vector<Position> positions;
+};
+
+}  // namespace povpreview::tracer

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <condition_variable>
+#include <cstddef>
+#include <deque>
+#include <memory>
+#include <mutex>
+
+#include "backend/oracle/samples.h"
+
+namespace povpreview::tracer {
+
+/// A run of positions within a batch, to be traced by one thread in one go.
+struct Slice {
+    std::shared_ptr<const Batch> batch;
+    std::size_t first = 0, count = 0;
+};
+
+/// The batches received and not yet traced, handed out to POV-Ray's threads in slices, in order.
+///
+/// Slices are short enough for an answer to leave about every `slice_time`, whatever a sample
+/// costs: the queue learns the cost of each kind of ray from the threads. The end of the last batch
+/// is shared evenly, so that no thread idles while another traces what is left.
+class WorkQueue {
+   public:
+    /// More samples than this wait for nobody: the previewer breaks its promise (see `add`).
+    static constexpr std::size_t max_waiting = std::size_t{1} << 22;
+    static constexpr std::size_t max_slice = 1024;
+    static constexpr std::chrono::nanoseconds slice_time = std::chrono::milliseconds(5);
+
+    void set_threads(std::size_t threads);
+
+    /// Appends a batch; false if the queue would exceed `max_waiting` samples.
+    bool add(std::shared_ptr<const Batch> batch);
+
+    /// The next slice; an empty one when none came within `patience`.
+    Slice take(std::chrono::nanoseconds patience);
+
+    /// Tells what tracing `count` samples of a kind cost altogether.
+    void learn(RayKind kind, std::size_t count, std::chrono::nanoseconds cost);
+
+   private:
+    std::size_t slice_size(const Batch& batch) const;
+
+    std::mutex mutex_;
+    std::condition_variable filled_;
+    std::deque<std::shared_ptr<const Batch>> batches_;
+    std::size_t taken_ = 0;    ///< positions of the oldest batch already handed out
+    std::size_t waiting_ = 0;  ///< positions in the queue not yet handed out
+    std::size_t threads_ = 1;
+    /// Mean cost of a sample, ns; starts at a guess that makes the first slices short.
+    std::array<double, 3> cost_{100e3, 100e3, 100e3};
+};
+
+}  // namespace povpreview::tracer
