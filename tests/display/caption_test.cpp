@@ -46,7 +46,7 @@ TEST(Caption, LongTextIsBrokenNotCut) {
 TEST(Caption, OddCharactersAreNoHarm) {
     EXPECT_EQ(caption_strip("\xC3\xBC", 200).pixels, caption_strip("?", 200).pixels);
     EXPECT_NO_THROW(caption_strip("\xff\x80 \t \x01", 200));
-    EXPECT_NO_THROW(caption_strip(std::string(5000, 'x'), 50));
+    EXPECT_NO_THROW(caption_strip(std::string(500, 'x'), 50));
 }
 
 TEST(Compose, KeepsEveryPixelOfTheImages) {
