@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "core/bicubic.h"
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <cmath>
@@ -35,8 +36,9 @@ void decode_quickly(std::span<glm::vec3> colours) {
     const float* const decoded = table.data();
     for (glm::vec3& colour : colours) {
         for (int k = 0; k < 3; ++k) {
-            const float at = colour[k] * steps;
-            if (at >= 0 && at <= most) {
+            // Cubics also undershoot; there is no negative light.
+            const float at = std::max(colour[k] * steps, 0.f);
+            if (at <= most) [[likely]] {
                 const int i = int(at);
                 colour[k] = decoded[i] + (at - float(i)) * (decoded[i + 1] - decoded[i]);
             } else {

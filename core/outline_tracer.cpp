@@ -29,6 +29,10 @@ constexpr double growth = 4;
 /// way it came.
 constexpr double widest_turn = 160;
 
+/// Two lost ends nearer to each other than this many pixels are the two sides of one tip, too sharp
+/// to be walked around.
+constexpr double sharp_tip = 2;
+
 enum class Side { left, right };
 
 /// Result of looking for the outline along a line across it.
@@ -171,7 +175,7 @@ Routine<bool> OutlineTracer::Walk::follow(OutlineRun& run, double step) {
             const std::optional<Circle> arc = run.arc_to(*found.at);
             const double bend = arc ? angle_between(*arc, run.last(), *found.at) : 0;
             const bool as_guessed = glm::distance(*found.at, guess.at) <= width;
-            if (length <= short_step / 2 || (length <= short_step && as_guessed)) {
+            if (length <= short_step / 2 || (step <= short_step && as_guessed)) {
                 if (arc) {
                     run.append_arc(turned(*arc, run.last(), bend / 2), *found.at);
                 } else {
@@ -396,9 +400,12 @@ void OutlineTracer::Walk::settle() {
     if (closed_behind) ahead_.emplace(*behind_), behind_.reset();
     if (behind_) line.assign(behind_->vertices().rbegin(), behind_->vertices().rend() - 1);
     line.insert(line.end(), ahead_->vertices().begin(), ahead_->vertices().end());
-    outline_.closed = ahead_->end() == OutlineEnd::closed;
     outline_.end = ahead_->end().value_or(OutlineEnd::lost);
     outline_.begin = behind_ ? behind_->end().value_or(OutlineEnd::lost) : outline_.end;
+    const bool tip = outline_.begin == OutlineEnd::lost && outline_.end == OutlineEnd::lost &&
+                     line.size() > 3 && glm::distance(line.front(), line.back()) < sharp_tip;
+    if (tip) outline_.begin = outline_.end = OutlineEnd::closed;
+    outline_.closed = outline_.end == OutlineEnd::closed;
     outline_.left = static_cast<std::uint32_t>(ahead_->left);
     outline_.right = static_cast<std::uint32_t>(ahead_->right);
     outline_.vertices = simplify(line, options_.flatness, outline_.closed);
