@@ -159,6 +159,9 @@ void PovrayOracle::handle_scene(SceneDescription scene) {
 
 void PovrayOracle::handle_failure(const report::Failure& failure) {
     const std::string text = message(failure);
+    if (text.find("command-line option") != std::string::npos)  // POV-Ray does not say which
+        fail(Exit::usage, fmt::format("{} in: {}", text, fmt::join(settings_.arguments, " ")),
+             "check the options meant for POV-Ray");
     fail(state_ == State::serving ? Exit::tracer : Exit::scene,
          text.empty() ? "POV-Ray failed without a message" : text, "");
 }
