@@ -59,7 +59,7 @@ void Offscreen::prepare(int width, int height, int samples) {
 }
 
 Image Offscreen::render(const Picture& picture, int width, int height, int samples_per_pixel,
-                        Overlay overlay) {
+                        Overlay overlay, Range range) {
     check_size(width, height);
     check_size(picture.width, picture.height);
     Image image = allocate(width, height);
@@ -74,7 +74,8 @@ Image Offscreen::render(const Picture& picture, int width, int height, int sampl
                             .x = x,
                             .y = y,
                             .tile_width = canvas_->width(),
-                            .tile_height = canvas_->height()},
+                            .tile_height = canvas_->height(),
+                            .range = range},
                            overlay);
             canvas_->resolve();
             canvas_->read(image, x, y, std::min(canvas_->width(), width - x),

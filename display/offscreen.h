@@ -19,13 +19,14 @@ class Offscreen {
     explicit Offscreen(std::unique_ptr<GlContext> context);
     ~Offscreen();
 
-    /// The picture magnified or shrunk to `width` x `height` pixels, in linear light, unclamped.
+    /// The picture magnified or shrunk to `width` x `height` pixels, in linear light; unclamped, or
+    /// cut to what a display can show before samples are averaged.
     /// `samples_per_pixel` above 1 smooths the edges of triangles and is cut to what the context
     /// offers (4 with Mesa in software). With 1, at the picture's own size, known pixels come back
     /// bit by bit. Drawn in tiles, so GL's limits do not matter; throws Error for sizes below 1 or
     /// of more than 2^16 - 1 a side or 2^28 pixels, and when memory runs out.
     Image render(const Picture& picture, int width, int height, int samples_per_pixel = 1,
-                 Overlay overlay = Overlay::none);
+                 Overlay overlay = Overlay::none, Range range = Range::unclamped);
 
     /// Which context draws.
     const std::string& description() const { return context_->description(); }

@@ -5,6 +5,7 @@
 #include <array>
 #include <cassert>
 #include <cstddef>
+#include <limits>
 
 #include "core/error.h"
 #include "display/gl_objects.h"
@@ -145,6 +146,9 @@ void Painter::Layers::place(const GlProgram& program, const View& view) const {
     gl.Uniform2f(program.uniform("origin"), view.x, view.y);
     gl.Uniform2f(program.uniform("tile"), view.tile_width, view.tile_height);
     gl.Uniform1f(program.uniform("up"), view.top_row_first ? -1 : 1);
+    constexpr float infinity = std::numeric_limits<float>::infinity();
+    const bool clamped = view.range == Range::display;
+    gl.Uniform2f(program.uniform("range"), clamped ? 0 : -infinity, clamped ? 1 : infinity);
 }
 
 void Painter::Layers::draw_pixels(const View& view) const {

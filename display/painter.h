@@ -9,12 +9,18 @@
 
 namespace povpreview {
 
+/// Which light is drawn. Where samples of a pixel or pixels are averaged afterwards, what a display
+/// cannot show must be cut off before: else the rim of a light ten times as bright as white would
+/// come out white wherever a tenth of the pixel is covered, and look ragged.
+enum class Range { unclamped, display };
+
 /// The part of a magnified picture that the viewport, which starts at (0, 0), shows.
 struct View {
     int width, height;            ///< of the whole picture as drawn, target pixels
     int x = 0, y = 0;             ///< upper left corner of the part, target pixels
     int tile_width, tile_height;  ///< of the part, and of the viewport, target pixels
     bool top_row_first = true;    ///< GL's lowest row shows the top: for reading back row by row
+    Range range = Range::unclamped;
 };
 
 /// Draws pictures into the current framebuffer, which takes linear light.

@@ -27,13 +27,15 @@ void main() {
 })";
 
 inline constexpr const char* triangle_fragment = R"(
+uniform vec2 range;  // of light, from and to
 centroid in vec3 colour;
 out vec4 result;
-void main() { result = vec4(colour, 1.0); })";
+void main() { result = vec4(clamp(colour, range.x, range.y), 1.0); })";
 
 inline constexpr const char* pixel_fragment = R"(
 uniform sampler2D colours;
 uniform usampler2D known;
+uniform vec2 range;   // of light, from and to
 uniform ivec2 first;  // picture pixel of the texture's first texel
 uniform vec2 scale, origin, tile;
 uniform float up;
@@ -45,7 +47,7 @@ void main() {
     if (any(lessThan(texel, ivec2(0))) || any(greaterThanEqual(texel, textureSize(known, 0))) ||
         texelFetch(known, texel, 0).r == 0u)
         discard;
-    result = vec4(texelFetch(colours, texel, 0).rgb, 1.0);
+    result = vec4(clamp(texelFetch(colours, texel, 0).rgb, range.x, range.y), 1.0);
 })";
 
 //  A line is a rectangle, `reach` wider than the line on all sides; the fragment's distance from

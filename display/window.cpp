@@ -15,7 +15,7 @@ namespace povpreview {
 namespace {
 
 constexpr int smallest_width = 480;  ///< of a window for small pictures, screen units
-constexpr int caption_room = 32;     ///< for a caption of one line, screen units
+constexpr int caption_room = 52;     ///< for a caption of two lines, screen units
 
 /// Whole times the picture, so that its pixels are equal squares.
 int magnification(int picture_width) {
@@ -111,6 +111,11 @@ void Window::update(std::chrono::milliseconds patience) {
 }
 
 const Controls& Window::controls() const { return state_->controls; }
+
+void Window::set_overlay(Overlay overlay) {
+    state_->controls.overlay = overlay;
+    state_->stale = true;
+}
 
 bool Window::take_save_request() { return std::exchange(state_->controls.save, false); }
 

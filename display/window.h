@@ -31,6 +31,8 @@ class Window {
     void update(std::chrono::milliseconds patience = std::chrono::milliseconds(0));
 
     const Controls& controls() const;
+    /// What to begin with; keys change it.
+    void set_overlay(Overlay overlay);
     /// Whether saving was asked for since the last call.
     bool take_save_request();
 

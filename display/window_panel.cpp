@@ -57,7 +57,11 @@ void WindowPanel::paint(const Rectangle& place, Overlay overlay) {
         canvas_.emplace(context_, width, height, samples_per_pixel);
     }
     canvas_->begin();
-    painter_.draw({.width = width, .height = height, .tile_width = width, .tile_height = height},
+    painter_.draw({.width = width,
+                   .height = height,
+                   .tile_width = width,
+                   .tile_height = height,
+                   .range = Range::display},
                   overlay);
     canvas_->resolve();
 }

@@ -77,7 +77,7 @@ TEST_F(WindowTest, ShowsKnownPixelsEncodedAtTheirPlaces) {
     picture.width = 640;
     picture.height = 480;
     fill_pixels(picture, ramp, [](int, int) { return true; });
-    window->show(picture, "all known");
+    window->show(picture, "all known\nin two lines");
     attend();
     const Image screen = window->screenshot();
     ASSERT_EQ(screen.width, 640);
@@ -126,7 +126,7 @@ TEST_F(WindowTest, KeysChangeWhatIsShown) {
     window->show(picture, "");
     attend();
     const auto seen = [&](int x, int y) {
-        return glm::length(window->screenshot().at(x, y + 16)) > .05f;  // room of the caption: 32
+        return glm::length(window->screenshot().at(x, y + 26)) > .05f;  // room of the caption: 52
     };
     EXPECT_FALSE(seen(100, 100) || seen(100, 200) || seen(100, 300));
     type('m');
@@ -146,6 +146,13 @@ TEST_F(WindowTest, KeysChangeWhatIsShown) {
     EXPECT_TRUE(window->controls().closed);
 }
 
+TEST_F(WindowTest, BeginsWithTheOverlayItIsGiven) {
+    window->set_overlay(Overlay::edges);
+    EXPECT_EQ(window->controls().overlay, Overlay::edges);
+    type('e');
+    EXPECT_EQ(window->controls().overlay, Overlay::none);
+}
+
 TEST_F(WindowTest, BesideShowsTheSecondPictureAndDoublesTheWindow) {
     Picture red = step_edge(640, 480, 0, 0), blue = red;
     for (auto& corner : red.corners) corner.colour = {1, 0, 0};
@@ -154,6 +161,7 @@ TEST_F(WindowTest, BesideShowsTheSecondPictureAndDoublesTheWindow) {
     window->show_beside(blue, "");
     attend();
     EXPECT_EQ(window->screenshot().at(639, 240), glm::vec3(1, 0, 0));
+    EXPECT_EQ(window->screenshot().width, 640);
     type('b');
     const Image both = window->screenshot();
     EXPECT_EQ(both.width, 2 * 640 + 8);
