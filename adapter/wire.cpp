@@ -39,6 +39,21 @@ Ours enumerator(Wires value, Wires last, const char* what) {
     return static_cast<Ours>(value);
 }
 
+/// Entries of a list in a scene; entries can share their content, so the size of the frame alone
+/// does not bound what they unpack to.
+constexpr std::size_t max_lights = std::size_t{1} << 17, max_kinds = 4096, max_name = 256;
+
+template <class List>
+void check_list(const List* list, std::size_t limit, const char* what) {
+    if (list && list->size() > limit)
+        throw WireFault(fmt::format("a scene of {} {}", list->size(), what));
+}
+std::string name(const flatbuffers::String* s) {
+    if (s && s->size() > max_name)
+        throw WireFault(fmt::format("a name of {} characters", s->size()));
+    return text(s);
+}
+
 CameraDescription camera(const wire::Camera& from) {
     CameraDescription to;
     to.kind = enumerator<CameraKind>(from.kind(), wire::CameraKind::MAX, "camera kind");
@@ -72,9 +87,10 @@ LightDescription light(const wire::LightSource& from) {
 }
 
 std::vector<KindCount> counts(const flatbuffers::Vector<flatbuffers::Offset<wire::Count>>* from) {
+    check_list(from, max_kinds, "kinds");
     std::vector<KindCount> to;
     if (from)
-        for (const wire::Count* c : *from) to.push_back({text(c->kind()), c->count()});
+        for (const wire::Count* c : *from) to.push_back({name(c->kind()), c->count()});
     return to;
 }
 
@@ -82,6 +98,8 @@ SceneDescription scene(const wire::Scene& from) {
     constexpr std::uint32_t largest = std::numeric_limits<std::int32_t>::max();
     if (from.width() < 1 || from.height() < 1 || from.width() > largest || from.height() > largest)
         throw WireFault(fmt::format("an image size of {} x {}", from.width(), from.height()));
+    check_list(from.lights(), max_lights, "lights");
+    check_list(from.features(), max_kinds, "features");
     SceneDescription to;
     to.width = static_cast<int>(from.width());
     to.height = static_cast<int>(from.height());
@@ -91,7 +109,7 @@ SceneDescription scene(const wire::Scene& from) {
     if (from.lights())
         for (const wire::LightSource* l : *from.lights()) to.lights.push_back(light(*l));
     if (from.features())
-        for (const flatbuffers::String* f : *from.features()) to.features.push_back(f->str());
+        for (const flatbuffers::String* f : *from.features()) to.features.push_back(name(f));
     to.textures = counts(from.textures());
     to.objects = counts(from.objects());
     to.background = vec3(from.background());

@@ -57,6 +57,13 @@ Bytes scene_frame(std::uint32_t width, std::uint32_t height) {
                      .Union());
 }
 
+Bytes swollen_scene_frame(std::size_t count, std::size_t length) {
+    Builder b;
+    const std::vector features(count, b.CreateString(std::string(length, 'x')));
+    return frame(b, wire::Report::Scene,
+                 wire::CreateSceneDirect(b, 64, 48, 1, false, 0, nullptr, &features).Union());
+}
+
 Bytes failure_frame(const std::string& message, const std::string& file, std::uint32_t line) {
     Builder b;
     return frame(b, wire::Report::Failure,

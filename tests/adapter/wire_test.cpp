@@ -213,6 +213,12 @@ TEST(Wire, EveryContradictionHasItsSentence) {
     EXPECT_EQ(fault_of(Bytes()), "bytes that are no report");
 }
 
+TEST(Wire, ASmallFrameCannotUnpackToAHugeScene) {
+    EXPECT_EQ(fault_of(content(fake::swollen_scene_frame(4096, 256))), "");
+    EXPECT_EQ(fault_of(content(fake::swollen_scene_frame(4097, 1))), "a scene of 4097 features");
+    EXPECT_EQ(fault_of(content(fake::swollen_scene_frame(1, 257))), "a name of 257 characters");
+}
+
 TEST(Wire, AnAnswerWithoutWhatWasAskedIsRefused) {
     const auto refuses = [](RayKind sent, Parts with, RayKind asked, Parts parts) {
         const Bytes bytes = content(fake::answer_frame(slice_of(5, sent, with)));
