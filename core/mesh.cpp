@@ -8,19 +8,12 @@
 
 #include "core/colour.h"
 #include "core/edge_weight.h"
-#include "core/predicates.h"
 
 namespace povpreview {
 
 using Spoke = Triangulation::Spoke;
 
 namespace {
-
-/// A sector's fan may be asked for a hundred thousand times a second: keep its memory.
-std::vector<Spoke>& scratch_fan(int depth) {
-    thread_local std::vector<Spoke> fans[4];
-    return fans[depth];
-}
 
 /// The sector that holds the face after spoke `spoke`.
 const Sector& sector_of(const std::vector<Sector>& sectors, std::size_t spoke, std::size_t spokes) {
@@ -41,26 +34,51 @@ Mesh::Mesh(int width, int height)
     : width_(width),
       height_(height),
       triangulation_({0, 0}, {width, height}),
-      first_(triangulation_.vertex_ids()) {}
+      first_(triangulation_.vertex_ids()),
+      sides_index_(triangulation_.vertex_ids(), none) {}
 
 Triangulation::Insertion Mesh::insert(glm::dvec2 position, VertexId near) {
     const auto insertion = triangulation_.insert(position, near);
-    first_.resize(triangulation_.vertex_ids());
+    update_touched();
     return insertion;
 }
 
 void Mesh::constrain(VertexId a, VertexId b) {
     triangulation_.constrain(a, b);
-    first_.resize(triangulation_.vertex_ids());
+    update_touched();
 }
 
 Triangulation::Insertion Mesh::split(VertexId a, VertexId b, glm::dvec2 p) {
     const auto insertion = triangulation_.split(a, b, p);
-    first_.resize(triangulation_.vertex_ids());
+    update_touched();
     return insertion;
 }
 
 void Mesh::remove(VertexId vertex) { triangulation_.remove(vertex); }
+
+void Mesh::update_touched() {
+    first_.resize(triangulation_.vertex_ids());
+    sides_index_.resize(triangulation_.vertex_ids(), none);
+    for (VertexId v : triangulation_.touched())
+        if (triangulation_.on_constraint(v)) update_sides(v);
+}
+
+void Mesh::update_sides(VertexId vertex) {
+    std::uint32_t& index = sides_index_[vertex.value];
+    if (index == none) {
+        index = static_cast<std::uint32_t>(sides_.size());
+        sides_.emplace_back();
+    }
+    std::vector<Spoke> fan;
+    std::vector<Sector> sectors;
+    triangulation_.fan(vertex, fan);
+    find_sectors(fan, sectors);
+    sides_[index].clear();
+    for (const Sector& sector : sectors) {
+        const Wedge w = wedge(vertex, fan, sector);
+        sides_[index].push_back({w, in_wedge(vertex, w)});
+    }
+}
 
 SampleId Mesh::promise(VertexId vertex, glm::dvec2 position) {
     const SampleId id{static_cast<std::uint32_t>(samples_.size())};
@@ -69,6 +87,7 @@ SampleId Mesh::promise(VertexId vertex, glm::dvec2 position) {
     sample.next = first_[vertex.value];
     samples_.push_back(sample);
     first_[vertex.value] = id;
+    if (triangulation_.on_constraint(vertex)) update_sides(vertex);
     return id;
 }
 
@@ -103,16 +122,16 @@ SampleId Mesh::in_wedge(VertexId vertex, const Wedge& wedge) const {
 }
 
 SampleId Mesh::corner(VertexId at, VertexId to, bool left) const {
-    if (!triangulation_.on_constraint(at)) return first_[at.value];
-    std::vector<Spoke>& fan = scratch_fan(0);
-    thread_local std::vector<Sector> sectors;
-    triangulation_.fan(at, fan);
-    find_sectors(fan, sectors);
-    std::size_t spoke = find_spoke(fan, to);
-    if (spoke == fan.size()) return {};
-    if (!left) spoke = (spoke + fan.size() - 1) % fan.size();
-    if (!fan[spoke].face) return {};  // outside the image
-    return in_wedge(at, wedge(at, fan, sector_of(sectors, spoke, fan.size())));
+    const std::uint32_t index = sides_index_[at.value];
+    if (index == none) return first_[at.value];
+    const glm::dvec2 p = triangulation_.position(to);
+    for (const Side& side : sides_[index]) {
+        const Wedge& w = side.wedge;
+        if (w.whole || w.contains(p)) return side.sample;
+        // An edge along a sector's own constraint belongs to it on one side only.
+        if (w.along(left ? w.start : w.end, p)) return side.sample;
+    }
+    return {};  // outside the image
 }
 
 std::optional<float> Mesh::contrast(VertexId a, VertexId b) const {
@@ -136,7 +155,7 @@ std::optional<float> Mesh::contrast(VertexId a, VertexId b) const {
 }
 
 bool Mesh::mean_nearby(VertexId at, VertexId to, int depth, glm::vec3& mean) const {
-    std::vector<Spoke>& fan = scratch_fan(depth);
+    std::vector<Spoke> fan;
     std::vector<Sector> sectors;
     triangulation_.fan(at, fan);
     if (triangulation_.on_constraint(at))

@@ -50,6 +50,8 @@ class Mesh {
     SampleId promise(VertexId vertex, glm::dvec2 position);
     void answer(SampleId sample, const glm::vec3& colour, std::uint32_t surface);
     void fail(SampleId sample);
+    /// Asks for a promised sample elsewhere.
+    void move(SampleId sample, glm::dvec2 position) { samples_[sample.value].position = position; }
     const VertexSample& sample(SampleId id) const { return samples_[id.value]; }
     SampleId first_sample(VertexId vertex) const { return first_[vertex.value]; }
     std::size_t samples() const { return samples_.size(); }
@@ -81,6 +83,13 @@ class Mesh {
     std::string validate() const;
 
    private:
+    /// A sector of a vertex on a constraint, kept because fans there are long and asked for often.
+    struct Side {
+        Wedge wedge;
+        SampleId sample;  ///< invalid where there is none
+    };
+    void update_sides(VertexId vertex);
+    void update_touched();
     const VertexSample* known(SampleId id) const;
     SampleId in_wedge(VertexId vertex, const Wedge& wedge) const;
     Wedge wedge(VertexId vertex, const std::vector<Triangulation::Spoke>& fan,
@@ -93,9 +102,12 @@ class Mesh {
     int width_, height_;
     Triangulation triangulation_;
     std::vector<VertexSample> samples_;
-    std::vector<SampleId> first_;  // by vertex
-    glm::dvec3 sum_{};             // of all known colours, the last resort
+    std::vector<SampleId> first_;             // by vertex
+    std::vector<std::uint32_t> sides_index_;  // by vertex, into sides_; none: off the constraints
+    std::vector<std::vector<Side>> sides_;    // counter-clockwise
+    glm::dvec3 sum_{};                        // of all known colours, the last resort
     std::size_t count_ = 0;
+    static constexpr std::uint32_t none = 0xffffffff;
 };
 
 }  // namespace povpreview

@@ -8,6 +8,8 @@
 #include <glm/geometric.hpp>
 #include <numeric>
 
+#include "core/outline_insertion.h"
+
 namespace povpreview {
 
 using Spoke = Triangulation::Spoke;
@@ -17,10 +19,6 @@ namespace {
 /// Weights are compared with what the heap remembers; they differ by rounding when an edge is seen
 /// from its other end.
 constexpr float weight_rounding = 1e-4f;
-
-/// A vertex closer to a constraint than this, in pixels, might lie on the wrong side of it: twice
-/// the position error of a traced outline between its vertices.
-constexpr double constraint_clearance = .7;
 
 /// Constrained edges are not split below this length in pixels: the outline itself is not known
 /// better, and one-sided samples are traced on top of the pixels' own.
@@ -39,12 +37,6 @@ std::vector<double> drawn_out(double centre, int pixels) {
     return {centre};
 }
 
-double distance_to_segment(glm::dvec2 p, glm::dvec2 a, glm::dvec2 b) {
-    const glm::dvec2 d = b - a;
-    const double t = std::clamp(glm::dot(p - a, d) / glm::dot(d, d), 0., 1.);
-    return glm::length(p - (a + t * d));
-}
-
 }  // namespace
 
 MeshPreviewer::MeshPreviewer(int width, int height, const MeshOptions& options)
@@ -52,7 +44,8 @@ MeshPreviewer::MeshPreviewer(int width, int height, const MeshOptions& options)
       height_(height),
       options_(options),
       squares_(width, height),
-      mesh_(width, height) {
+      mesh_(width, height),
+      search_({width, height}) {
     assert(width >= 1 && height >= 1);
     lay_grid();
 }
@@ -84,6 +77,7 @@ void MeshPreviewer::lay_grid() {
 
 std::optional<Request> MeshPreviewer::request(Pending pending) {
     pending_.push_back(pending);
+    ++full_pending_;
     if (pending.use == Pending::Use::side) {
         ++vertices_pending_;
         return Request{mesh_.sample(pending.sample).position, RayKind::full};
@@ -104,6 +98,12 @@ std::optional<Request> MeshPreviewer::next() {
         const Pending side = sides_.front();
         sides_.pop_front();
         return request(side);
+    }
+    if (search_.active()) {
+        if (auto probe = next_probe()) return probe;
+        // Each probe waits for the one before it: keep the pipe short while outlines are followed.
+        if (full_pending_ >= 64 + 2 * search_.outstanding() && search_.outstanding() > 0)
+            return std::nullopt;
     }
     for (;;) {
         if (const auto pixel = squares_.next_to_fill())
@@ -126,7 +126,7 @@ std::optional<Request> MeshPreviewer::refine() {
     while (t.vertices() < std::max<std::size_t>(budget, grid_.size())) {
         const auto entry = heap_.pop();
         if (!entry) {
-            if (vertices_pending_ > 0) return std::nullopt;
+            if (vertices_pending_ > 0 || search_.outstanding() > 0) return std::nullopt;
             break;
         }
         const auto [old_weight, a, b] = *entry;
@@ -136,6 +136,10 @@ std::optional<Request> MeshPreviewer::refine() {
         if (!now) continue;  // comes back when its samples do
         if (*now < old_weight * (1 - weight_rounding)) {
             heap_.push(a, b, *now);
+            continue;
+        }
+        if (consider_outline({*now, a, b})) {
+            if (auto probe = next_probe()) return probe;
             continue;
         }
         if (edge.constrained) {
@@ -168,40 +172,21 @@ std::optional<float> MeshPreviewer::weight(VertexId a, VertexId b) const {
                        *contrast);
 }
 
-/// Splits at once and asks for the samples beside the new vertex; until they come its corners
-/// stand in between their neighbours'.
-std::optional<Request> MeshPreviewer::split_constraint(VertexId a, VertexId b) {
-    const Triangulation& t = mesh_.triangulation();
-    const auto split = mesh_.split(a, b, (t.position(a) + t.position(b)) / 2.);
-    // An old vertex in the middle changes nothing but the links; its edges are queued already.
-    if (!split.fresh) return std::nullopt;
-    std::vector<glm::dvec2> positions;
-    mesh_.missing_positions(split.vertex, positions);
-    for (glm::dvec2 p : positions)
-        sides_.push_back({Pending::Use::side, 0, split.vertex, mesh_.promise(split.vertex, p)});
-    const std::vector<VertexId> touched(t.touched().begin(), t.touched().end());
-    for (VertexId v : touched) queue_edges(v);
-    if (sides_.empty()) return std::nullopt;
-    const Pending side = sides_.front();
-    sides_.pop_front();
-    return request(side);
-}
-
 void MeshPreviewer::accept(const Sample& sample) {
     assert(!pending_.empty());
     const Pending pending = pending_.front();
     pending_.pop_front();
     const bool usable = !sample.failed && finite(sample.colour);
-    if (pending.use == Pending::Use::side) {
-        --vertices_pending_;
-        if (usable)
-            mesh_.answer(pending.sample, sample.colour, sample.surface);
-        else
-            mesh_.fail(pending.sample);
-        queue_edges(pending.vertex);
+    if (pending.use == Pending::Use::probe) {
+        search_.accept(pending.surface, sample);
+        take_outlines();
         return;
     }
-    accept_pixel(pending, sample, usable);
+    --full_pending_;
+    if (pending.use == Pending::Use::side)
+        accept_side(pending, sample, usable);
+    else
+        accept_pixel(pending, sample, usable);
 }
 
 void MeshPreviewer::accept_pixel(const Pending& pending, const Sample& sample, bool usable) {
@@ -222,10 +207,11 @@ void MeshPreviewer::accept_pixel(const Pending& pending, const Sample& sample, b
 /// Only a corner of the image takes a failed sample, since it is a vertex anyhow.
 bool MeshPreviewer::add_vertex(glm::dvec2 position, VertexId near, const Sample& sample,
                                bool usable) {
-    if (!mesh_.triangulation().alive(near)) near = recent_;
+    near = live(near);
     const bool corner =
         (position.x <= 0 || position.x >= width_) && (position.y <= 0 || position.y >= height_);
-    if (!corner && (!usable || too_near_constraint(position, near))) return false;
+    if (!corner && (!usable || too_near_constraint(mesh_.triangulation(), position, near)))
+        return false;
     const VertexId vertex = mesh_.insert(position, near).vertex;
     if (!mesh_.first_sample(vertex).valid()) {
         const SampleId id = mesh_.promise(vertex, sample.position);
@@ -239,26 +225,18 @@ bool MeshPreviewer::add_vertex(glm::dvec2 position, VertexId near, const Sample&
     return true;
 }
 
-bool MeshPreviewer::too_near_constraint(glm::dvec2 position, VertexId near) const {
-    const Triangulation& t = mesh_.triangulation();
-    if (t.constraints() == 0) return false;
-    const auto face = t.locate(position, near);
-    for (std::size_t i = 0; i < 3; ++i) {
-        Triangulation::Edge edge{};
-        const VertexId a = face[i], b = face[(i + 1) % 3];
-        if (t.find_edge(a, b, edge) && edge.constrained &&
-            distance_to_segment(position, t.position(a), t.position(b)) < constraint_clearance)
-            return true;
-    }
-    return false;
+/// A vertex to start a search from: removed ones may still be named by old requests.
+VertexId MeshPreviewer::live(VertexId near) const {
+    if (mesh_.triangulation().alive(near)) return near;
+    return mesh_.triangulation().alive(recent_) ? recent_ : VertexId{0};
 }
 
-void MeshPreviewer::queue_edges(VertexId vertex) {
+void MeshPreviewer::queue_edges(VertexId vertex, VertexId except) {
     if (!refining_) return;
     thread_local std::vector<Spoke> fan;
     mesh_.triangulation().fan(vertex, fan);
     for (const Spoke& spoke : fan)
-        if (refinable(vertex, spoke.to, spoke.constrained))
+        if (spoke.to != except && refinable(vertex, spoke.to, spoke.constrained))
             if (const auto w = weight(vertex, spoke.to)) heap_.push(vertex, spoke.to, *w);
 }
 
@@ -332,7 +310,7 @@ std::string MeshPreviewer::validate() const {
     std::sort(entries.begin(), entries.end());
     std::string fault;
     mesh_.triangulation().for_each_edge([&](VertexId a, VertexId b, bool constrained) {
-        if (!fault.empty() || !refinable(a, b, constrained)) return;
+        if (!fault.empty() || !refinable(a, b, constrained) || search_.parked(a, b)) return;
         const auto now = weight(a, b);
         if (!now) return;
         const std::pair<VertexId, VertexId> edge{std::min(a, b), std::max(a, b)};

@@ -8,6 +8,7 @@
 #include "core/bf_squares.h"
 #include "core/edge_weight.h"
 #include "core/mesh.h"
+#include "core/outline_search.h"
 #include "core/previewer.h"
 #include "core/refinement_heap.h"
 
@@ -17,6 +18,14 @@ struct MeshOptions {
     /// Without constraints it is Painter and Sloan's plain Delaunay triangulation.
     bool constraints = true;
     WeightKind weight = WeightKind::area;
+    /// An outline is traced where an edge of the mesh jumps by more than this (square root of the
+    /// paper's colour distance, on encoded colour) ...
+    float outline_jump = .08f;
+    /// ... and jump x length in pixels exceeds this: below it, a few samples do as well.
+    double outline_weight = 4;
+    /// Rays spent on outlines (probes and the first one-sided samples), as a share of all full
+    /// samples so far, and how many may be spent in advance, as a share of the pixels.
+    double outline_share = .1, outline_floor = .0025;
     /// Side of a cell of the first, regular grid, as a share of the larger image side.
     double grid_cell = 1. / 20;
     /// A square with more than this share of its pixels sampled is filled: with a sample to every
@@ -55,25 +64,38 @@ class MeshPreviewer : public Previewer {
    private:
     /// What an outstanding request is for.
     struct Pending {
-        enum class Use : std::uint8_t { fill, vertex, side } use;
-        Pixel pixel = 0;    ///< fill, vertex
-        VertexId vertex{};  ///< vertex: one nearby; side: the one it belongs to
-        SampleId sample{};  ///< side
+        enum class Use : std::uint8_t { fill, vertex, side, probe } use;
+        Pixel pixel = 0;              ///< fill, vertex
+        VertexId vertex{};            ///< vertex: one nearby; side: the one it belongs to
+        SampleId sample{};            ///< side
+        std::uint32_t surface = any;  ///< side: what should be there; probe: the tracer's number
+        bool retried = false;         ///< side: this is the second try
+
+        static constexpr std::uint32_t any = 0xffffffff;
     };
 
     void lay_grid();
     std::optional<Request> request(Pending pending);
     std::optional<Request> refine();
     std::optional<Request> split_constraint(VertexId a, VertexId b);
+
+    // Outlines (mesh_outlines.cpp).
+    bool consider_outline(const RefinementHeap::Entry& edge);
+    std::optional<Request> next_probe();
+    void take_outlines();
+    void insert(const OutlineSearch::Finished& finished);
+    void promise_sides(VertexId vertex, const Outline* outline);
+    void accept_side(Pending side, const Sample& sample, bool usable);
+    std::uint32_t surface_beside(VertexId a, VertexId b, bool left) const;
     void start_filling();
     std::vector<double> expected_errors() const;
 
     void accept_pixel(const Pending& pending, const Sample& sample, bool usable);
     bool add_vertex(glm::dvec2 position, VertexId near, const Sample& sample, bool usable);
-    bool too_near_constraint(glm::dvec2 position, VertexId near) const;
+    VertexId live(VertexId near) const;
     std::optional<float> weight(VertexId a, VertexId b) const;
     bool refinable(VertexId a, VertexId b, bool constrained) const;
-    void queue_edges(VertexId vertex);
+    void queue_edges(VertexId vertex, VertexId except = {});
 
     int width_, height_;
     MeshOptions options_;
@@ -86,6 +108,9 @@ class MeshPreviewer : public Previewer {
     std::size_t vertices_pending_ = 0;     // answers outstanding that may bring new edges
     std::deque<Pending> sides_;            // one-sided samples to ask for
     std::vector<std::size_t> fill_order_;  // squares left when refinement ended, last first
+    OutlineSearch search_;
+    std::size_t outline_rays_ = 0;  // spent on outlines
+    std::size_t full_pending_ = 0;
     bool refining_ = true;
     VertexId recent_{0};  // a live vertex
 };

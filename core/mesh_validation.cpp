@@ -107,8 +107,14 @@ std::string Mesh::validate() const {
         }
         if (faces != fan.size() - (fan.back().face ? 0 : 1))
             return named("the sectors do not hold every face around vertex ", v);
+        // A sample older than the constraint may lie on it, or at the vertex: it is of no side.
+        const auto on_spoke = [&](glm::dvec2 p) {
+            return std::any_of(fan.begin(), fan.end(), [&](const Spoke& spoke) {
+                return orientation(t.position(v), t.position(spoke.to), p) == 0;
+            });
+        };
         for (SampleId id = first_[i]; id.valid(); id = samples_[id.value].next)
-            if (!used.contains(id) && samples_[id.value].position != t.position(v))
+            if (!used.contains(id) && !on_spoke(samples_[id.value].position))
                 return named("a one-sided sample is in no sector of vertex ", v);
     }
     if (std::find(reached.begin(), reached.end(), false) != reached.end())

@@ -49,6 +49,10 @@ bool Wedge::contains(glm::dvec2 p) const {
     return after_start;  // a half plane
 }
 
+bool Wedge::along(glm::dvec2 ray, glm::dvec2 p) const {
+    return orientation(centre, ray, p) == 0 && glm::dot(ray - centre, p - centre) > 0;
+}
+
 double Wedge::angle() const {
     if (whole) return 2 * std::numbers::pi;
     const glm::dvec2 u = start - centre, v = end - centre;

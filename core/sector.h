@@ -34,6 +34,8 @@ struct Wedge {
 
     /// Exactly decided; a point on one of the rays is not inside.
     bool contains(glm::dvec2 p) const;
+    /// Whether p lies exactly on the ray from the centre through `ray`.
+    bool along(glm::dvec2 ray, glm::dvec2 p) const;
     /// Unit vector from the centre through the middle of the wedge.
     glm::dvec2 bisector() const;
     /// The angle of the wedge in radians, 0 to 2 pi.

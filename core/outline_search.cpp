@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "core/outline_search.h"
+
+#include <algorithm>
+
+namespace povpreview {
+
+OutlineSearch::Verdict OutlineSearch::consider(const Sample& a, const Sample& b) {
+    const SurfacePair pair = surface_pair(a.surface, b.surface);
+    if (at_work_[pair]) return Verdict::wait;
+    if (jobs_.size() >= most_active || tries_[pair] >= most_per_pair) return Verdict::refuse;
+    ++tries_[pair];
+    OutlineTracer tracer(a, b, image_size_, options_);
+    if (tracer.done()) return Verdict::refuse;
+    const std::uint32_t number = launched_++;
+    jobs_.emplace(number, Job{pair, std::move(tracer)});
+    order_.push_back(number);
+    at_work_[pair] = true;
+    return Verdict::launched;
+}
+
+bool OutlineSearch::parked(VertexId a, VertexId b) const {
+    for (const auto& [pair, edges] : parked_)
+        for (const auto& edge : edges)
+            if ((edge.a == a && edge.b == b) || (edge.a == b && edge.b == a)) return true;
+    return false;
+}
+
+std::optional<OutlineSearch::Probe> OutlineSearch::next() {
+    for (std::size_t turn = 0; turn < order_.size(); ++turn) {
+        const std::uint32_t number = order_.front();
+        order_.pop_front();
+        order_.push_back(number);
+        if (const auto position = jobs_.at(number).tracer.next()) {
+            ++outstanding_;
+            return Probe{number, *position};
+        }
+    }
+    return std::nullopt;
+}
+
+void OutlineSearch::accept(std::uint32_t number, const Sample& sample) {
+    --outstanding_;
+    OutlineTracer& tracer = jobs_.at(number).tracer;
+    tracer.accept(sample);
+    if (tracer.done()) retire(number);
+}
+
+void OutlineSearch::retire(std::uint32_t number) {
+    Job& job = jobs_.at(number);
+    const Outline& outline = job.tracer.outline();
+    if (outline.vertices.size() < 2 ||
+        (outline.begin == OutlineEnd::lost && outline.end == OutlineEnd::lost))
+        tries_[job.pair] = most_per_pair;
+    finished_.push_back({outline, std::move(parked_[job.pair])});
+    parked_.erase(job.pair);
+    at_work_[job.pair] = false;
+    jobs_.erase(number);
+    order_.erase(std::find(order_.begin(), order_.end(), number));
+}
+
+std::optional<OutlineSearch::Finished> OutlineSearch::take_finished() {
+    if (finished_.empty()) return std::nullopt;
+    Finished first = std::move(finished_.front());
+    finished_.pop_front();
+    return first;
+}
+
+}  // namespace povpreview

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "core/oracle.h"
+#include "core/outline_tracer.h"
+#include "core/refinement_heap.h"
+
+namespace povpreview {
+
+/// Two surfaces, the smaller identity first.
+using SurfacePair = std::pair<std::uint32_t, std::uint32_t>;
+inline SurfacePair surface_pair(std::uint32_t a, std::uint32_t b) {
+    return a < b ? SurfacePair{a, b} : SurfacePair{b, a};
+}
+
+/// Runs outline tracers side by side, one for each pair of surfaces at a time: what one of them
+/// finds may answer the question of the others. Edges that wait for it are parked here.
+class OutlineSearch {
+   public:
+    /// Tracers at work at a time. Each has one probe under way, so they fill a batch together.
+    static constexpr std::size_t most_active = 32;
+    /// Outlines traced for one pair of surfaces. What is left then is refined without constraints,
+    /// as are pairs whose outline got lost: there is no end to the pieces of hair or leaves.
+    static constexpr int most_per_pair = 6;
+
+    explicit OutlineSearch(glm::ivec2 image_size, const OutlineOptions& options = {})
+        : image_size_(image_size), options_(options) {}
+
+    enum class Verdict {
+        launched,  ///< a tracer was put to it
+        wait,      ///< one is at work on this pair: park the edge
+        refuse     ///< not worth it, or none is free: refine the edge as usual
+    };
+    /// Considers an edge whose ends lie on different surfaces.
+    Verdict consider(const Sample& a, const Sample& b);
+    void park(SurfacePair pair, const RefinementHeap::Entry& edge) {
+        parked_[pair].push_back(edge);
+    }
+
+    /// Whether the edge waits for an outline.
+    bool parked(VertexId a, VertexId b) const;
+
+    struct Probe {
+        std::uint32_t tracer;
+        glm::dvec2 position;
+    };
+    /// The next probe wanted; tracers take turns.
+    std::optional<Probe> next();
+    /// The answer to a probe, in the order of the requests.
+    void accept(std::uint32_t tracer, const Sample& sample);
+
+    bool active() const { return !order_.empty(); }
+    std::size_t outstanding() const { return outstanding_; }
+
+    struct Finished {
+        Outline outline;
+        std::vector<RefinementHeap::Entry> parked;  ///< the edges that waited for it
+    };
+    std::optional<Finished> take_finished();
+
+   private:
+    struct Job {
+        SurfacePair pair;
+        OutlineTracer tracer;
+    };
+    void retire(std::uint32_t number);
+
+    glm::ivec2 image_size_;
+    OutlineOptions options_;
+    std::map<std::uint32_t, Job> jobs_;  // by number
+    std::deque<std::uint32_t> order_;    // whose turn it is
+    std::uint32_t launched_ = 0;
+    std::size_t outstanding_ = 0;
+    std::map<SurfacePair, bool> at_work_;
+    std::map<SurfacePair, int> tries_;
+    std::map<SurfacePair, std::vector<RefinementHeap::Entry>> parked_;
+    std::deque<Finished> finished_;
+};
+
+}  // namespace povpreview
