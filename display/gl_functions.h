@@ -33,6 +33,7 @@
     X(PFNGLDRAWARRAYSINSTANCEDPROC, DrawArraysInstanced)                       \
     X(PFNGLENABLEPROC, Enable)                                                 \
     X(PFNGLENABLEVERTEXATTRIBARRAYPROC, EnableVertexAttribArray)               \
+    X(PFNGLFINISHPROC, Finish)                                                 \
     X(PFNGLFRAMEBUFFERRENDERBUFFERPROC, FramebufferRenderbuffer)               \
     X(PFNGLFRAMEBUFFERTEXTURE2DPROC, FramebufferTexture2D)                     \
     X(PFNGLGENBUFFERSPROC, GenBuffers)                                         \

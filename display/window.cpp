@@ -17,6 +17,13 @@ namespace {
 constexpr int smallest_width = 480;  ///< of a window for small pictures, screen units
 constexpr int caption_room = 52;     ///< for a caption of two lines, screen units
 
+// Smoothing costs three times the drawing where GL runs in software, on the same cores as the
+// tracer. Where a smooth frame takes long, frames are rough as long as new ones keep coming.
+constexpr int smooth_samples = 4;               ///< per pixel
+constexpr double longest_smooth_frame = .03;    ///< seconds
+constexpr double forgetting = .95;              ///< by which a frame lets it be tried again
+constexpr std::chrono::milliseconds rest{300};  ///< without news, before a rough frame is smoothed
+
 /// Whole times the picture, so that its pixels are equal squares.
 int magnification(int picture_width) {
     return std::max(1, (smallest_width + picture_width - 1) / picture_width);
@@ -25,6 +32,8 @@ int magnification(int picture_width) {
 }  // namespace
 
 struct Window::State {
+    using Clock = std::chrono::steady_clock;
+
     State(int across, int down, const std::string& title)
         : context(across, down, title), presenter(context), main(context), second(context) {
         GLFWwindow* window = context.window();
@@ -63,16 +72,36 @@ struct Window::State {
         stale |= &panel == &main || controls.beside;
     }
 
+    /// Draws if there is news, or if a rough frame has stood long enough.
+    void refresh() {
+        if (stale)
+            show(smooth_cost > longest_smooth_frame ? 1 : smooth_samples);
+        else if (rough && Clock::now() - shown > rest)
+            show(smooth_samples);
+    }
+
+    void show(int samples) {
+        const auto start = Clock::now();
+        stale = false;
+        if (!draw(samples)) return;
+        context.gl().Finish();  // or the time would be that of handing over the work
+        glfwSwapBuffers(context.window());
+        shown = Clock::now();
+        rough = samples < smooth_samples;
+        smooth_cost =
+            rough ? forgetting * smooth_cost : std::chrono::duration<double>(shown - start).count();
+    }
+
     /// Draws all, without showing it yet. False where the window has no area (it is iconified).
-    bool draw() {
+    bool draw(int samples) {
         glfwGetFramebufferSize(context.window(), &pixels_x, &pixels_y);
         if (pixels_x <= 0 || pixels_y <= 0) return false;
         context.make_current();
         const bool both = controls.beside && second.loaded();
         const std::vector<Rectangle> where = columns(pixels_x, pixels_y, controls.beside ? 2 : 1);
         presenter.begin(pixels_x, pixels_y);
-        if (main.loaded()) main.draw(presenter, where[0], pixels_y, controls.overlay);
-        if (both) second.draw(presenter, where[1], pixels_y, controls.overlay);
+        if (main.loaded()) main.draw(presenter, where[0], pixels_y, controls.overlay, samples);
+        if (both) second.draw(presenter, where[1], pixels_y, controls.overlay, samples);
         return true;
     }
 
@@ -80,7 +109,10 @@ struct Window::State {
     Presenter presenter;
     WindowPanel main, second;
     Controls controls;
-    bool stale = true;
+    bool stale = true;               ///< there is something new to draw
+    bool rough = false;              ///< what is shown was drawn with one sample per pixel
+    double smooth_cost = 0;          ///< of the last smooth frame, seconds, fading
+    Clock::time_point shown{};       ///< when the last frame was
     int pixels_x = 0, pixels_y = 0;  ///< of the framebuffer
 };
 
@@ -105,9 +137,7 @@ void Window::update(std::chrono::milliseconds patience) {
         glfwWaitEventsTimeout(std::chrono::duration<double>(patience).count());
     else
         glfwPollEvents();
-    if (!state_->stale) return;
-    state_->stale = false;
-    if (state_->draw()) glfwSwapBuffers(state_->context.window());
+    state_->refresh();
 }
 
 const Controls& Window::controls() const { return state_->controls; }
@@ -126,7 +156,7 @@ void Window::set_title(const std::string& title) {
 const std::string& Window::description() const { return state_->context.description(); }
 
 Image Window::screenshot() {
-    if (!state_->draw()) return {};
+    if (!state_->draw(smooth_samples)) return {};
     const GlFunctions& gl = state_->context.gl();
     Image bottom_up(state_->pixels_x, state_->pixels_y), image = bottom_up;
     gl.BindFramebuffer(GL_FRAMEBUFFER, 0);

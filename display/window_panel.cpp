@@ -10,7 +10,6 @@ namespace povpreview {
 
 namespace {
 
-constexpr int samples_per_pixel = 4;
 constexpr int narrowest_caption = 160;  ///< pixels; below, no word would fit
 
 }  // namespace
@@ -48,13 +47,15 @@ void WindowPanel::set_caption(int width) {
 
 /// Paints at the place's size, but never with less than a pixel for each of the picture's: what is
 /// too fine for the window is averaged, not skipped.
-void WindowPanel::paint(const Rectangle& place, Overlay overlay) {
+void WindowPanel::paint(const Rectangle& place, Overlay overlay, int samples) {
     const int limit = context_.max_texture_size();
     const int width = std::min(std::max(place.width, width_), limit);
     const int height = std::min(std::max(place.height, height_), limit);
-    if (!canvas_ || canvas_->width() != width || canvas_->height() != height) {
+    if (!canvas_ || canvas_->width() != width || canvas_->height() != height ||
+        samples_asked_ != samples) {
         canvas_.reset();  // first, so that there are never two
-        canvas_.emplace(context_, width, height, samples_per_pixel);
+        canvas_.emplace(context_, width, height, samples);
+        samples_asked_ = samples;
     }
     canvas_->begin();
     painter_.draw({.width = width,
@@ -67,10 +68,10 @@ void WindowPanel::paint(const Rectangle& place, Overlay overlay) {
 }
 
 void WindowPanel::draw(const Presenter& presenter, const Rectangle& column, int window_height,
-                       Overlay overlay) {
+                       Overlay overlay, int samples) {
     set_caption(column.width);
     const Places where = places(column, width_, height_, strip_height_);
-    paint(where.picture, overlay);
+    paint(where.picture, overlay, samples);
     presenter.draw(canvas_->texture(), where.picture, window_height);
     if (where.caption.height > 0) presenter.draw(strip_.id(), where.caption, window_height);
 }

@@ -18,17 +18,18 @@ class WindowPanel {
 
     void load(const Picture& picture, const std::string& caption);
     bool loaded() const { return width_ > 0; }
-    /// Draws into the column of a window `window_height` pixels high.
+    /// Draws into the column of a window `window_height` pixels high, with `samples` per pixel.
     void draw(const Presenter& presenter, const Rectangle& column, int window_height,
-              Overlay overlay);
+              Overlay overlay, int samples);
 
    private:
-    void paint(const Rectangle& place, Overlay overlay);
+    void paint(const Rectangle& place, Overlay overlay, int samples);
     void set_caption(int width);
 
     GlContext& context_;
     Painter painter_;
     std::optional<Canvas> canvas_;
+    int samples_asked_ = 0;  ///< for the canvas, which may have fewer
     GlTexture strip_;
     std::string caption_, strip_text_;
     int width_ = 0, height_ = 0;  ///< of the picture

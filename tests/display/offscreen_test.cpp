@@ -42,11 +42,14 @@ bool same_bits(const glm::vec3& a, const glm::vec3& b) {
 /// Floats of all magnitudes and signs that a tracer may give; not the denormal ones, which software
 /// renderers may flush to 0.
 glm::vec3 wild_colour(int x, int y) {
-    std::mt19937 random(static_cast<unsigned>(7919 * x + y));
-    std::uniform_real_distribution<float> exponent(-30, 30), sign(-1, 1);
+    std::uint32_t noise = static_cast<std::uint32_t>(7919 * x + y) * 2654435769u + 1;
     glm::vec3 colour;
-    for (int c = 0; c < 3; ++c)
-        colour[c] = std::copysign(std::exp2(exponent(random)), sign(random));
+    for (int c = 0; c < 3; ++c) {
+        noise = noise * 1664525u + 1013904223u;
+        // any mantissa, an exponent from -32 to 31, any sign
+        const std::uint32_t exponent = 95 + (noise >> 26);
+        colour[c] = std::bit_cast<float>((noise & 0x807FFFFFu) | exponent << 23);
+    }
     return colour;
 }
 

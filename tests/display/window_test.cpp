@@ -7,6 +7,7 @@
 
 #include <cstdlib>
 #include <memory>
+#include <thread>
 
 #include "core/colour.h"
 #include "core/error.h"
@@ -169,6 +170,19 @@ TEST_F(WindowTest, BesideShowsTheSecondPictureAndDoublesTheWindow) {
     EXPECT_EQ(both.at(648 + 320, 240), glm::vec3(0, 0, 1));
     type('b');
     EXPECT_EQ(window->screenshot().width, 640);
+}
+
+TEST_F(WindowTest, KeepsUpWithAStreamOfPictures) {
+    for (int frame = 0; frame < 40; ++frame) {
+        const float at = 320 + static_cast<float>(frame);
+        window->show(step_edge(640, 480, at, at), std::to_string(frame));
+        window->update();
+    }
+    std::this_thread::sleep_for(350ms);
+    attend();  // at rest, a frame that was drawn in a hurry is drawn smoothly
+    const Image screen = window->screenshot();
+    EXPECT_EQ(screen.at(358, 240), glm::vec3(0));
+    EXPECT_EQ(screen.at(360, 240), glm::vec3(1));
 }
 
 TEST_F(WindowTest, TinyWindowsAndEarlyDrawingAreNoHarm) {
