@@ -87,18 +87,27 @@ OutlineRun::Guess OutlineRun::guess(double step) const {
     const double e = options_.position_error;
     const auto known = past(2 * step);
     if (!known) {
-        return {last() + step * direction_, left_of(direction_), direction_, .25 * step + e, step};
+        return {last() + step * direction_,
+                left_of(direction_),
+                direction_,
+                .25 * step + e,
+                step,
+                step};
     }
     const auto [far, near] = *known;
     const double baseline = glm::distance(far, last());
     // A bend no larger than the errors of its three points is taken for a straight line.
+    const double unseen = 1.5 * e;
     std::optional<Circle> circle;
-    if (far != near && sagitta(far, near, last()) > 1.5 * e) {
+    if (far != near && sagitta(far, near, last()) > unseen) {
         circle = circle_through(far, near, last());
     }
     if (!circle) {
         const glm::dvec2 d = unit(last() - far, direction_);
-        return {last() + step * d, left_of(d), d, e * (.5 + step / baseline), step};
+        // An arc with this sagitta over the baseline, seen from the line through its ends.
+        const double ratio = step / baseline;
+        const double bend = 4 * unseen * ratio * (ratio + 1);
+        return {last() + step * d, left_of(d), d, e * (.5 + ratio), bend, step};
     }
     // Half the baseline is the spacing of the three points; beyond twice that, the error of the
     // extrapolated arc grows with the square and outruns what is saved.
@@ -109,7 +118,11 @@ OutlineRun::Guess OutlineRun::guess(double step) const {
     const glm::dvec2 radial = unit(at - circle->centre, {1, 0});
     const glm::dvec2 here = left_of(unit(last() - circle->centre, {1, 0}));
     const double m = 2 * step / baseline;
-    return {at, clockwise ? radial : -radial, clockwise ? -here : here, e * (.5 + .5 * m * (m + 2)),
+    return {at,
+            clockwise ? radial : -radial,
+            clockwise ? -here : here,
+            e * (.5 + .5 * m * (m + 2)),
+            step / 2,
             step};
 }
 

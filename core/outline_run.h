@@ -22,6 +22,7 @@ class OutlineRun {
         glm::dvec2 left;     ///< unit normal of the outline there
         glm::dvec2 tangent;  ///< unit tangent at the last vertex
         double uncertainty;  ///< typical error of `at` across the outline, pixels
+        double bend;         ///< pixels by which a bend too slight to have been seen may lead off
         double reach;        ///< `step`, less where the guess would be worth nothing, pixels
     };
 

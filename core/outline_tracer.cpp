@@ -41,7 +41,7 @@ struct Crossing {
     Side unexpected = Side::left;  ///< else: the side that did not show its surface
 };
 
-/// Result of following a side of a straight strip to where it changes.
+/// Result of following a straight strip along the outline to where it goes wrong.
 struct Departure {
     enum class Kind { crossing, junction, none } kind;
     glm::dvec2 at;  ///< none: the outline stays in the strip up to here
@@ -106,7 +106,7 @@ class OutlineTracer::Walk {
     void settle();
     Routine<bool> trace(Sample a, Sample b);
     Routine<bool> follow(OutlineRun& run, double step);
-    Routine<bool> refine(OutlineRun& run, std::optional<Circle> arc, glm::dvec2 b);
+    Routine<bool> refine(OutlineRun& run, std::optional<Circle> arc, glm::dvec2 b, double limit);
     Routine<double> resume(OutlineRun& run, double covered);
     Routine<bool> around_corner(OutlineRun& run, double radius);
     Routine<Crossing> cross(const OutlineRun& run, glm::dvec2 at, glm::dvec2 normal, double width,
@@ -168,7 +168,8 @@ Routine<bool> OutlineTracer::Walk::follow(OutlineRun& run, double step) {
         const OutlineRun::Guess guess = run.guess(step);
         step = guess.reach;
         const double width = std::max(guess.uncertainty, options_.position_error);
-        const double limit = step <= 2 * short_step ? step / 2 : std::max(step / 4, 2 * width);
+        const double limit =
+            std::max(std::min(guess.bend, step <= 2 * short_step ? step / 2 : step / 4), 2 * width);
         const Crossing found = co_await cross(run, guess.at, guess.left, width, limit);
         if (found.at) {
             const double length = glm::distance(run.last(), *found.at);
@@ -184,7 +185,7 @@ Routine<bool> OutlineTracer::Walk::follow(OutlineRun& run, double step) {
                 step *= growth;
                 continue;
             }
-            const bool straight = co_await refine(run, arc, *found.at);
+            const bool straight = co_await refine(run, arc, *found.at, length / 16);
             step = straight ? step * growth : step / 2;
         } else if (step > short_step) {
             const Departure departure = co_await leave(run, guess.tangent, step, found.unexpected);
@@ -226,15 +227,15 @@ Routine<double> OutlineTracer::Walk::resume(OutlineRun& run, double covered) {
 }
 
 /// Appends the curve from the run's last vertex to the located point `b`, checked in the middle
-/// against `arc` (or the chord), in halves where the check shows a bend. False: it ran into
-/// something on the way, or bends more than the steps so far knew.
+/// against `arc` (or the chord) within `limit` pixels, in halves where that shows a bend. False: it
+/// ran into something on the way, or bends more than the steps so far knew.
 ///
 ///            mid
 ///         .───●───.        ● located
 ///       /           \      the chord's middle would be below
 ///      ● last        ● b
-Routine<bool> OutlineTracer::Walk::refine(OutlineRun& run, std::optional<Circle> arc,
-                                          glm::dvec2 b) {
+Routine<bool> OutlineTracer::Walk::refine(OutlineRun& run, std::optional<Circle> arc, glm::dvec2 b,
+                                          double limit) {
     const glm::dvec2 a = run.last();
     const double length = glm::distance(a, b);
     if (length <= short_step / 2) {
@@ -245,20 +246,23 @@ Routine<bool> OutlineTracer::Walk::refine(OutlineRun& run, std::optional<Circle>
     if (arc) expected = turned(*arc, a, angle_between(*arc, a, b) / 2);
     const glm::dvec2 normal = left_of((b - a) / length);
     const double width = options_.position_error;
-    const double limit = std::max(2 * options_.flatness, length / 8);
+    limit = std::max(limit, 2 * options_.flatness);
     const Crossing mid = co_await cross(run, expected, normal, width, limit);
     if (!mid.at) co_return false;
 
-    if (glm::distance(*mid.at, expected) <= std::max(options_.flatness, 2 * width)) {
+    const double off = glm::distance(*mid.at, expected);
+    if (off <= std::max(options_.flatness, 2 * width)) {
         run.append_arc(*mid.at, b);
         co_return true;
     }
+    // Over half the length, a smooth curve bends off a quarter as far. What bends off more is a
+    // corner, or another piece of outline beyond a gap.
     const std::optional<Circle> through = circle_through(a, *mid.at, b);
-    const bool first = co_await refine(run, through, *mid.at);
+    co_await refine(run, through, *mid.at, off / 2);
     if (run.last() == *mid.at && !run.end()) {
-        co_await refine(run, through, b);
+        co_await refine(run, through, b, off / 2);
     }
-    co_return first && false;
+    co_return false;
 }
 
 /// Looks all around the last vertex for the way on; ends the run where there is none.
@@ -304,13 +308,15 @@ Routine<Crossing> OutlineTracer::Walk::cross(const OutlineRun& run, glm::dvec2 a
     co_return Crossing{at + (low + high) / 2 * normal, Side::left};
 }
 
-/// A guess up to `far` pixels straight on failed on one side. Finds where that side of the strip
-/// along the tangent `along` first changes: the outline crosses it there, or a third surface
-/// begins.
+/// A guess `far` pixels straight on failed on one side. Finds where the strip along the tangent
+/// `along` stops having the left surface on its left side and the right one on its right side.
 ///
-///     - - - - - - - - - - - -.- - - -     left side of the strip: left surface up to here,
-///     ●─────────────────────/─────────    then the right one (crossing) or a third (junction)
-///     - - - - - - - - - - -/- - - - - -
+///     - - - - - - - - - - - -.- - - -     left surface on this side up to here, then the
+///     ●─────────────────────/─────────    right one (crossing) or a third (junction)
+///     - - - - - - - - - - -/- - - - -     right surface on this side
+///
+/// Both sides are asked wherever the strip is taken to go on, since the outline may have left one
+/// long ago where the other looks right again.
 Routine<Departure> OutlineTracer::Walk::leave(const OutlineRun& run, glm::dvec2 along, double far,
                                               Side side) {
     const glm::dvec2 from = run.last(), left = left_of(along);
@@ -320,28 +326,29 @@ Routine<Departure> OutlineTracer::Walk::leave(const OutlineRun& run, glm::dvec2 
         return from + t * along + (s == Side::left ? offset : -offset) * left;
     };
     const auto wanted = [&](Side s) { return s == Side::left ? run.left : run.right; };
+    const auto opposite = [](Side s) { return s == Side::left ? Side::right : Side::left; };
     double good = 0, bad = far;
     std::int64_t shown = wanted(side);
-    while (true) {
-        while (bad - good > options_.junction_error) {
-            const double t = (good + bad) / 2;
-            const std::int64_t id = co_await ask(place(t, side));
-            (id == wanted(side) ? good : bad) = t;
-            if (id != wanted(side)) shown = id;
+    while (bad - good > options_.junction_error) {
+        const double t = (good + bad) / 2;
+        std::int64_t id = co_await ask(place(t, side));
+        if (id == wanted(side)) {
+            const std::int64_t beyond = co_await ask(place(t, opposite(side)));
+            if (beyond == wanted(opposite(side))) {
+                good = t;
+                continue;
+            }
+            side = opposite(side);
+            id = beyond;
         }
-        // The other side may have changed earlier.
-        const Side other = side == Side::left ? Side::right : Side::left;
-        const std::int64_t id = co_await ask(place(good, other));
-        if (id == wanted(other) || good == 0) break;
-        side = other;
+        bad = t;
         shown = id;
-        bad = good;
-        good = 0;
     }
-    const Side other = side == Side::left ? Side::right : Side::left;
     const double t = (good + bad) / 2;
     if (shown == wanted(side)) co_return Departure{Departure::Kind::none, from + good * along};
-    if (shown == wanted(other)) co_return Departure{Departure::Kind::crossing, place(t, side)};
+    if (shown == wanted(opposite(side))) {
+        co_return Departure{Departure::Kind::crossing, place(t, side)};
+    }
     const std::int64_t id = co_await ask(from + good * along);
     const double lateral = id == run.left ? -offset / 2 : id == run.right ? offset / 2 : 0.;
     co_return Departure{Departure::Kind::junction, from + t * along + lateral * left};
@@ -408,7 +415,9 @@ void OutlineTracer::Walk::settle() {
     outline_.closed = outline_.end == OutlineEnd::closed;
     outline_.left = static_cast<std::uint32_t>(ahead_->left);
     outline_.right = static_cast<std::uint32_t>(ahead_->right);
-    outline_.vertices = simplify(line, options_.flatness, outline_.closed);
+    // The vertices' own error, half of position_error as a rule, uses up some of what is allowed.
+    const double tolerance = std::max(options_.flatness - options_.position_error / 2, 0.);
+    outline_.vertices = simplify(line, tolerance, outline_.closed);
     if (outline_.vertices.size() < 2) outline_.vertices.clear();
 }
 
