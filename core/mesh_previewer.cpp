@@ -102,7 +102,7 @@ std::optional<Request> MeshPreviewer::next() {
     if (search_.active()) {
         if (auto probe = next_probe()) return probe;
         // Each probe waits for the one before it: keep the pipe short while outlines are followed.
-        if (full_pending_ >= 64 + 2 * search_.outstanding() && search_.outstanding() > 0)
+        if (search_.outstanding() > 0 && full_pending_ >= 4 + search_.outstanding())
             return std::nullopt;
     }
     for (;;) {
@@ -273,9 +273,30 @@ std::vector<double> MeshPreviewer::expected_errors() const {
         for (std::size_t j = 0; j < down; ++j)
             for (std::size_t i = 0; i < across; ++i) errors[first + j * columns + i] += share;
     });
+    add_outline_errors(errors);
     for (std::size_t square = 0; square < errors.size(); ++square)
         errors[square] /= std::max(1, squares_.area(square) - squares_.count(square));
     return errors;
+}
+
+/// Beside a constraint the pixels are uncertain by its position error: a strip that is wrong by the
+/// jump across it.
+void MeshPreviewer::add_outline_errors(std::vector<double>& errors) const {
+    constexpr double strip = .2;  // width in pixels: the mean error of a traced outline, both sides
+    const Triangulation& t = mesh_.triangulation();
+    t.for_each_edge([&](VertexId a, VertexId b, bool constrained) {
+        if (!constrained) return;
+        const SampleId p = mesh_.corner(a, b, true), q = mesh_.corner(a, b, false);
+        if (!p.valid() || !q.valid()) return;
+        const double jump =
+            std::sqrt(colour_distance(mesh_.sample(p).encoded, mesh_.sample(q).encoded));
+        const glm::dvec2 from = t.position(a), step = t.position(b) - from;
+        const int pieces = static_cast<int>(std::ceil(glm::length(step)));
+        for (int i = 0; i < pieces; ++i) {
+            const Pixel pixel = squares_.pixel_at(from + step * ((i + .5) / pieces));
+            errors[squares_.square_of(pixel)] += strip * jump * glm::length(step) / pieces;
+        }
+    });
 }
 
 bool MeshPreviewer::done() const {

@@ -25,7 +25,7 @@ struct MeshOptions {
     double outline_weight = 4;
     /// Rays spent on outlines (probes and the first one-sided samples), as a share of all full
     /// samples so far, and how many may be spent in advance, as a share of the pixels.
-    double outline_share = .1, outline_floor = .0025;
+    double outline_share = .1, outline_floor = .01;
     /// Side of a cell of the first, regular grid, as a share of the larger image side.
     double grid_cell = 1. / 20;
     /// A square with more than this share of its pixels sampled is filled: with a sample to every
@@ -89,6 +89,7 @@ class MeshPreviewer : public Previewer {
     std::uint32_t surface_beside(VertexId a, VertexId b, bool left) const;
     void start_filling();
     std::vector<double> expected_errors() const;
+    void add_outline_errors(std::vector<double>& errors) const;
 
     void accept_pixel(const Pending& pending, const Sample& sample, bool usable);
     bool add_vertex(glm::dvec2 position, VertexId near, const Sample& sample, bool usable);
