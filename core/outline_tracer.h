@@ -25,8 +25,10 @@ struct OutlineOptions {
     /// enough to stay on a small surface.
     double first_step = 2;
     /// Steps grow up to this. The outline is checked at both ends and in the middle of a step, so a
-    /// detour narrower than half of it may be missed.
-    double longest_step = 128;
+    /// detour from a straight run that is narrower than half of it may be missed. At 128, a
+    /// straight edge of 300 pixels takes 46 probes; at 64 it takes 56, and gaps of 60 pixels
+    /// between two outlines on one line are no longer jumped.
+    double longest_step = 64;
     /// Points on an outline that turns faster than this radius are not promised: the least radius
     /// of the circle searched around a corner.
     double smallest_feature = .25;
