@@ -8,7 +8,13 @@
 
 namespace povpreview {
 
+namespace {
+std::vector<std::string> fresh_files;
+}
+
 void OracleTest::TearDown() {
+    for (const std::string& file : fresh_files) std::filesystem::remove(file);
+    fresh_files.clear();
     EXPECT_EQ(open_descriptors(), descriptors_);
     int status = 0;
     const pid_t child = waitpid(-1, &status, WNOHANG);
@@ -39,6 +45,7 @@ std::string OracleTest::fresh_file() {
     const int fd = mkstemp(path.data());
     if (fd >= 0) close(fd);
     std::filesystem::remove(path);
+    fresh_files.push_back(path);
     return path;
 }
 

@@ -98,7 +98,7 @@ class OracleTest : public testing::Test {
     /// Waits for the scene, then traces all pixels; returns the message of the Error that this
     /// must throw, after a check that it exits with `exit`, and that the oracle stays broken.
     static std::string error_of(const PovrayOracle::Settings& settings, Exit exit);
-    /// A path to a file that does not exist, for the fake tracer's `once`.
+    /// A path to a file that does not exist, for the fake tracer's `once`; gone after the test.
     static std::string fresh_file();
 
    private:
