@@ -22,7 +22,8 @@ namespace povpreview {
 /// a sample shows the sample itself.
 class Bicubic final : public Previewer {
    public:
-    /// What is interpolated. Encoded colour came out better (see bicubic.cpp).
+    /// What is interpolated. Of a disc over a turned checker at 640 x 480, L1 of encoded colour at
+    /// 1 / 5 / 25 % of the samples: encoded .060 / .030 / .011, linear .068 / .035 / .012.
     enum class Colour { linear, encoded };
 
     Bicubic(int width, int height, Colour colour = Colour::encoded);
