@@ -147,7 +147,6 @@ void read_compare(const std::vector<std::string>& words, CommandLine& result) {
                    "Comma-separated, of: " + CLI::detail::join(methods, ","))
         ->delimiter(',')
         ->check(CLI::IsMember(methods))
-        ->expected(1)
         ->option_text("A,B,...");
     add_common(app, options);
     parse(app, words, options.povray, result);
