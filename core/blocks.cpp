@@ -126,7 +126,8 @@ bool Blocks::start_pass() {
         if (grid >= side) {
             const std::size_t before = nodes_.size();
             split_all_leaves();
-            if (nodes_.size() == before) return false;
+            all_asked_ = nodes_.size() == before;
+            if (all_asked_) return false;
         } else if (side > uniform_size * grid) {
             split_all_leaves();
             ++depth_;
@@ -140,7 +141,7 @@ bool Blocks::start_pass() {
 }
 
 std::optional<Request> Blocks::next() {
-    if (wanted_.empty() && !start_pass()) return std::nullopt;
+    if (wanted_.empty() && (all_asked_ || !start_pass())) return std::nullopt;
     const std::uint32_t node = wanted_.front();
     wanted_.pop_front();
     outstanding_.push_back(node);

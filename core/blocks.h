@@ -62,7 +62,8 @@ class Blocks final : public Previewer {
     PixelCanvas canvas_;
     std::mt19937 random_;
     std::vector<Node> nodes_;
-    int depth_ = 0;  ///< of the pass that comes next
+    int depth_ = 0;           ///< of the pass that comes next
+    bool all_asked_ = false;  ///< every leaf is a pixel
     std::deque<std::uint32_t> wanted_, outstanding_;
     std::vector<glm::vec2> samples_;
 };
