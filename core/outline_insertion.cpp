@@ -22,11 +22,11 @@ class Insertion {
         std::vector<VertexId> chain;
         for (glm::dvec2 p : outline.vertices) {
             const VertexId v = place(p);
+            keep_.insert(v);
             if (chain.empty() || chain.back() != v) chain.push_back(v);
         }
         if (outline.closed && chain.size() > 2 && chain.front() != chain.back())
             chain.push_back(chain.front());
-        keep_.insert(chain.begin(), chain.end());
         for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
             VertexId from = chain[i];
             clear_segment(from, chain[i + 1]);
