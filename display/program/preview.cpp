@@ -79,6 +79,7 @@ class Preview {
         try {
             const SceneDescription& scene = scene_->description();
             window_.emplace(scene.width, scene.height, "povpreview: " + povray_.scene.string());
+            window_->set_overlay(options_.overlay);
         } catch (const Error& error) {
             line_.clear();
             fmt::print(stderr, "povpreview: {}; going on without a window\n", error.what());
@@ -174,7 +175,8 @@ class Preview {
         const SceneDescription& scene = scene_->description();
         const glm::ivec2 size = options_.size.value_or(glm::ivec2(scene.width, scene.height));
         const Picture picture = run.previewer().picture(options_.overlay);
-        return offscreen().render(picture, size.x, size.y, samples_per_pixel, options_.overlay);
+        return offscreen().render(picture, size.x, size.y, samples_per_pixel, options_.overlay,
+                                  Range::display);
     }
 
     /// The error as the compare command would print it: one sample per pixel, no overlay.
