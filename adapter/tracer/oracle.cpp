@@ -10,6 +10,8 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "backend/oracle/note_error.h"
+
 namespace povpreview::tracer {
 
 Oracle& Oracle::instance() {
@@ -62,18 +64,26 @@ void Oracle::advance(std::uint64_t done) {
 void Oracle::note_error(const std::string& text, const std::string& file, long line, bool certain) {
     if (!enabled()) return;
     const std::lock_guard lock(error_mutex_);
-    if (error_certain_ && !certain) return;
-    error_ = text;
+    std::string& kept = certain ? error_ : possible_error_;
+    if (!error_.empty() || !kept.empty()) return;  // what comes later follows from the first
+    kept = text;
+    if (file.empty()) return;
     error_file_ = file;
     error_line_ = line > 0 ? static_cast<unsigned>(line) : 0;
-    error_certain_ = certain;
 }
 
 void Oracle::fail(const std::string& text) {
     if (!enabled()) return;
     start("", 0);
     const std::lock_guard lock(error_mutex_);
-    wire_->send_failure(error_.empty() ? text : error_, error_file_, error_line_);
+    std::string message = error_.empty() ? possible_error_ : error_;
+    if (message.empty())
+        message = text;
+    else if (!error_.empty() && !possible_error_.empty())
+        message += " (" + possible_error_ + ")";
+    wire_->send_failure(message, error_file_, error_line_);
 }
+
+void note_error(const std::string& text) { Oracle::instance().note_error(text, "", 0, false); }
 
 }  // namespace povpreview::tracer

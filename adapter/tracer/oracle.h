@@ -32,7 +32,8 @@ class Oracle {
     void expect(Stage stage, std::uint64_t total);
     void advance(std::uint64_t done);
 
-    /// Keeps POV-Ray's message for `fail`; a certain error outweighs a possible one.
+    /// Keeps POV-Ray's message for `fail`. Its errors are certain or possible ones; the latter may
+    /// turn out to explain a later, certain one.
     void note_error(const std::string& text, const std::string& file, long line, bool certain);
     /// Passes on what was noted, or else `text`, as the last word.
     void fail(const std::string& text);
@@ -45,9 +46,8 @@ class Oracle {
     std::unique_ptr<WireEnd> wire_;
 
     std::mutex error_mutex_;
-    std::string error_, error_file_;
+    std::string error_, error_file_, possible_error_;
     unsigned error_line_ = 0;
-    bool error_certain_ = false;
 
     std::atomic<Stage> stage_{Stage::parsing};
     std::atomic<std::uint64_t> done_{0}, total_{0};

@@ -116,6 +116,7 @@ Sample OracleTask::trace_sample(const Batch& batch, Position position) {
         sample = Sample{};
         sample.failed = true;
         trace_.SetRecorder(nullptr);
+        trace_.SetQualityFlags(GetViewData()->GetQualityFeatureFlags());
         trace_.ForgetRay();
     }
     return sample;
@@ -143,22 +144,27 @@ void OracleTask::trace_full(const Batch& batch, Position position, Sample& sampl
     sample.failed = !is_finite(sample.light);
 }
 
-/// Probe and albedo rays: POV-Ray's colour is not used.
+/// Probe and albedo rays: POV-Ray's colour is not used, nor media and fog.
 void OracleTask::trace_guide(const Batch& batch, Position position, Sample& sample) {
     const bool albedo = batch.kind == RayKind::albedo;
-    recorder_.begin(albedo ? RayKind::albedo : RayKind::probe, albedo, batch.parts.signature);
     const unsigned quality = GetViewData()->GetQualityFeatureFlags();
-    trace_.SetRecorder(&recorder_);
-    trace_.SetQualityFlags(quality & ~Q_VOLUME);  // no media, no fog
-    reseed(position);
     const auto& view = *GetViewData();
     pov::Colour ignored;
+    recorder_.begin(albedo ? RayKind::albedo : RayKind::probe, albedo, batch.parts.signature);
+    trace_.SetRecorder(&recorder_);
+    trace_.SetQualityFlags(quality & ~Q_VOLUME);
+    reseed(position);
     trace_.TraceCentre(position.x - 0.5, position.y - 0.5, view.GetWidth(), view.GetHeight(),
                        ignored);
+    recorder_.finish(sample);
+    if (albedo && trace_.HasFocalBlur()) {
+        // The pigment of a blurred sample is the mean over the lens, as it is for full rays.
+        recorder_.begin(RayKind::albedo, true, false);
+        trace_(position.x - 0.5, position.y - 0.5, view.GetWidth(), view.GetHeight(), ignored);
+    }
+    if (albedo) sample.albedo = shared_->linear(recorder_.albedo());
     trace_.SetQualityFlags(quality);
     trace_.SetRecorder(nullptr);
-    recorder_.finish(sample);
-    if (albedo) sample.albedo = shared_->linear(recorder_.albedo());
 }
 
 void OracleTask::add_shading(Sample& sample) const {
