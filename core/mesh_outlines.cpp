@@ -28,7 +28,7 @@ Sample as_seed(const VertexSample& vertex) {
 
 /// Whether the edge is left to an outline that is being traced, or will be.
 bool MeshPreviewer::consider_outline(const RefinementHeap::Entry& edge) {
-    if (!options_.constraints) return false;
+    if (!options_.constraints || outlines_overdrawn()) return false;
     const SampleId a = mesh_.corner(edge.a, edge.b, true), b = mesh_.corner(edge.b, edge.a, false);
     if (!a.valid() || !b.valid()) return false;
     const VertexSample &p = mesh_.sample(a), &q = mesh_.sample(b);
@@ -50,12 +50,20 @@ bool MeshPreviewer::consider_outline(const RefinementHeap::Entry& edge) {
     return true;
 }
 
-std::optional<Request> MeshPreviewer::next_probe() {
+/// Whether outlines have used up the rays they are allowed.
+bool MeshPreviewer::outlines_overdrawn() const {
     const double pixels = static_cast<double>(squares_.pixels());
     const double full = static_cast<double>(squares_.requested());
-    if (static_cast<double>(outline_rays_) >=
-        options_.outline_floor * pixels + options_.outline_share * full)
+    return static_cast<double>(outline_rays_) >=
+           options_.outline_floor * pixels + options_.outline_share * full;
+}
+
+std::optional<Request> MeshPreviewer::next_probe() {
+    if (outlines_overdrawn()) {
+        // The edges that wait must not: their outlines may be long in coming.
+        requeue(search_.take_parked());
         return std::nullopt;
+    }
     const auto probe = search_.next();
     if (!probe) return std::nullopt;
     ++outline_rays_;
@@ -80,8 +88,12 @@ void MeshPreviewer::insert(const OutlineSearch::Finished& finished) {
     for (VertexId v : touched)
         if (mesh_.triangulation().on_constraint(v)) promise_sides(v, &finished.outline);
     for (VertexId v : touched) queue_edges(v);
+    requeue(finished.parked);
+}
+
+void MeshPreviewer::requeue(const std::vector<RefinementHeap::Entry>& edges) {
     const Triangulation& t = mesh_.triangulation();
-    for (const auto& [weight_then, a, b] : finished.parked) {
+    for (const auto& [weight_then, a, b] : edges) {
         Triangulation::Edge edge{};
         if (!refining_ || !t.find_edge(a, b, edge) || !refinable(a, b, edge.constrained)) continue;
         if (const auto now = weight(a, b)) heap_.push(a, b, *now);

@@ -25,7 +25,7 @@ struct MeshOptions {
     double outline_weight = 4;
     /// Rays spent on outlines (probes and the first one-sided samples), as a share of all full
     /// samples so far, and how many may be spent in advance, as a share of the pixels.
-    double outline_share = .1, outline_floor = .01;
+    double outline_share = .1, outline_floor = .0025;
     /// Side of a cell of the first, regular grid, as a share of the larger image side.
     double grid_cell = 1. / 20;
     /// A square with more than this share of its pixels sampled is filled: with a sample to every
@@ -81,7 +81,9 @@ class MeshPreviewer : public Previewer {
 
     // Outlines (mesh_outlines.cpp).
     bool consider_outline(const RefinementHeap::Entry& edge);
+    bool outlines_overdrawn() const;
     std::optional<Request> next_probe();
+    void requeue(const std::vector<RefinementHeap::Entry>& edges);
     void take_outlines();
     void insert(const OutlineSearch::Finished& finished);
     void promise_sides(VertexId vertex, const Outline* outline);

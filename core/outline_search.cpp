@@ -2,6 +2,7 @@
 #include "core/outline_search.h"
 
 #include <algorithm>
+#include <glm/geometric.hpp>
 
 namespace povpreview {
 
@@ -17,6 +18,13 @@ OutlineSearch::Verdict OutlineSearch::consider(const Sample& a, const Sample& b)
     order_.push_back(number);
     at_work_[pair] = true;
     return Verdict::launched;
+}
+
+std::vector<RefinementHeap::Entry> OutlineSearch::take_parked() {
+    std::vector<RefinementHeap::Entry> all;
+    for (const auto& [pair, edges] : parked_) all.insert(all.end(), edges.begin(), edges.end());
+    parked_.clear();
+    return all;
 }
 
 bool OutlineSearch::parked(VertexId a, VertexId b) const {
@@ -49,7 +57,10 @@ void OutlineSearch::accept(std::uint32_t number, const Sample& sample) {
 void OutlineSearch::retire(std::uint32_t number) {
     Job& job = jobs_.at(number);
     const Outline& outline = job.tracer.outline();
-    if (outline.vertices.size() < 2 ||
+    double length = 0;
+    for (std::size_t i = 1; i < outline.vertices.size(); ++i)
+        length += glm::distance(outline.vertices[i - 1], outline.vertices[i]);
+    if (length < short_outline ||
         (outline.begin == OutlineEnd::lost && outline.end == OutlineEnd::lost))
         tries_[job.pair] = most_per_pair;
     finished_.push_back({outline, std::move(parked_[job.pair])});

@@ -29,8 +29,16 @@ class OutlineSearch {
     /// as are pairs whose outline got lost: there is no end to the pieces of hair or leaves.
     static constexpr int most_per_pair = 6;
 
-    explicit OutlineSearch(glm::ivec2 image_size, const OutlineOptions& options = {})
-        : image_size_(image_size), options_(options) {}
+    /// Probes for one outline. A straight edge or a large circle takes fewer; what takes more is
+    /// rough, and its samples are better spent on refinement.
+    static constexpr int most_probes = 200;
+    /// Outlines shorter than this, in pixels, are the pieces of finely faceted surfaces: none more
+    /// is traced for their pair.
+    static constexpr double short_outline = 12;
+
+    explicit OutlineSearch(glm::ivec2 image_size) : image_size_(image_size) {
+        options_.most_probes = most_probes;
+    }
 
     enum class Verdict {
         launched,  ///< a tracer was put to it
@@ -43,6 +51,8 @@ class OutlineSearch {
         parked_[pair].push_back(edge);
     }
 
+    /// Lets all parked edges go.
+    std::vector<RefinementHeap::Entry> take_parked();
     /// Whether the edge waits for an outline.
     bool parked(VertexId a, VertexId b) const;
 
