@@ -24,7 +24,7 @@ inline SurfacePair surface_pair(std::uint32_t a, std::uint32_t b) {
 class OutlineSearch {
    public:
     /// Tracers at work at a time. Each has one probe under way, so they fill a batch together.
-    static constexpr std::size_t most_active = 32;
+    static constexpr std::size_t most_active = 8;
     /// Outlines traced for one pair of surfaces. What is left then is refined without constraints,
     /// as are pairs whose outline got lost: there is no end to the pieces of hair or leaves.
     static constexpr int most_per_pair = 6;
