@@ -5,6 +5,9 @@
 
 namespace povpreview {
 
+/// Enough for the tracer's threads and the previewer to work at the same time, each on a share.
+constexpr std::size_t submissions_per_window = 8;
+
 Session::Session(Previewer& previewer, SampleOracle& oracle)
     : previewer_(previewer), oracle_(oracle) {}
 
@@ -53,6 +56,8 @@ bool Session::advance(std::chrono::nanoseconds patience) {
         if (sample.failed) ++counts_.failed;
         previewer_.accept(sample);
         choose();
+        // The tracer need not wait until all that has come is dealt with.
+        if (requests_.size() >= window() / submissions_per_window) submit();
     }
     submit();
     return outstanding_ > 0;

@@ -225,11 +225,11 @@ class Preview {
     void finish() {
         line_.clear();
         if (main_->samples() == 0) return;
+        if (log_) write_log();
         if (!options_.snapshots.empty()) write_snapshot();
         // Asked for, or cut short, or nothing else to show for it.
         const bool nothing_shown = !window_ && options_.snapshots.empty();
         if (!options_.output.empty() || interrupted() || nothing_shown) save();
-        if (log_) write_log();
         for (const std::string& fault : scene_->oracle().faults())
             fmt::print(stderr, "povpreview: {}\n", fault);
     }
