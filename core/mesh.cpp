@@ -249,8 +249,21 @@ std::optional<glm::dvec2> Mesh::side_position(VertexId vertex, const std::vector
 
 void Mesh::draw(Picture& picture) const {
     picture.corners.reserve(picture.corners.size() + 3 * triangulation_.faces());
+    // Most corners are those of plain vertices: gathered first, each is one look into memory.
+    std::vector<Picture::Corner> plain(first_.size());
+    std::vector<std::uint8_t> is_plain(first_.size());
+    for (std::uint32_t i = 0; i < first_.size(); ++i) {
+        const VertexSample* sample = known(first_[i]);
+        is_plain[i] = sample && sides_index_[i] == none;
+        if (is_plain[i])
+            plain[i] = {glm::vec2(triangulation_.position(VertexId{i})), sample->colour};
+    }
     const auto add = [&](VertexId at, VertexId to) {
-        picture.corners.push_back({glm::vec2(triangulation_.position(at)), corner_colour(at, to)});
+        if (is_plain[at.value])
+            picture.corners.push_back(plain[at.value]);
+        else
+            picture.corners.push_back(
+                {glm::vec2(triangulation_.position(at)), corner_colour(at, to)});
     };
     triangulation_.for_each_face([&](VertexId a, VertexId b, VertexId c) {
         add(a, b);
