@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <limits>
 #include <set>
 
@@ -242,6 +243,59 @@ TEST(MeshPreviewer, FillsSquaresWhereSamplesAreDense) {
         if (picture.known[i]) ++(i % 256 < 64 && i / 256 < 64 ? noisy : blank);
     EXPECT_GT(noisy, 3000u);
     EXPECT_LT(blank, 600u);
+}
+
+TEST(MeshPreviewer, TracedOutlinesBecomeConstraintsAndPayForThemselves) {
+    const FunctionImage image = images::disc({160, 120}, 70);
+    double errors[2];
+    for (bool constraints : {false, true}) {
+        MeshOptions options;
+        options.constraints = constraints;
+        MeshPreviewer previewer(320, 240, options);
+        FunctionOracle oracle(image);
+        const auto counts = run(previewer, oracle, 1500);
+        errors[constraints] = displayed_error(previewer.picture(Overlay::none), image);
+        EXPECT_EQ(previewer.validate(), "");
+        if (!constraints) {
+            EXPECT_EQ(counts.probe, 0u);
+            EXPECT_EQ(previewer.statistics().constraints, 0u);
+            continue;
+        }
+        // The budget: a share of the pixels in advance and a share of the full rays.
+        EXPECT_LE(static_cast<double>(counts.probe),
+                  options.outline_floor * 320 * 240 + options.outline_share * 1500 + 1);
+        EXPECT_GT(previewer.statistics().constraints, 10u);
+        // Every constraint keeps to the circle, and the chain goes all around.
+        double length = 0;
+        for (const auto& line : previewer.picture(Overlay::edges).lines) {
+            EXPECT_TRUE(line.constraint);
+            EXPECT_NEAR(glm::distance(line.from, glm::vec2(160, 120)), 70, .6);
+            length += glm::distance(line.from, line.to);
+        }
+        EXPECT_NEAR(length, 2 * 3.14159265 * 70, 4);
+    }
+    EXPECT_LT(errors[true], errors[false] / 3);
+}
+
+TEST(MeshPreviewer, WrongOutlinesCostSamplesNeverAPixel) {
+    // Surfaces that have nothing to do with the colours, of every pattern, and chaotic ones.
+    FunctionImage image = images::still_life(150, 110);
+    image.surface = [](dvec2 p) {
+        if (p.x < 50) return static_cast<std::uint32_t>(std::floor(p.y / 9));
+        if (p.x < 100) return static_cast<std::uint32_t>(std::hypot(p.x - 75, p.y - 50) / 6);
+        return static_cast<std::uint32_t>(std::abs(std::sin(p.x * 31 + p.y * 57)) * 1e6) % 3;
+    };
+    MeshPreviewer previewer(150, 110);
+    FunctionOracle oracle(image, 6);
+    Session session(previewer, oracle);
+    for (int round = 0; session.advance(1ms); ++round)
+        if (round % 16 == 0) {
+            ASSERT_EQ(previewer.validate(), "") << "round " << round;
+        }
+    EXPECT_TRUE(previewer.done());
+    EXPECT_TRUE(every_pixel_is_its_own(previewer.picture(Overlay::none), image));
+    EXPECT_GT(session.counts().probe, 100u);
+    EXPECT_LT(session.counts().full, 150u * 110u * 9 / 8);
 }
 
 TEST(Session, StopsAtTheLimitOfFullRays) {
