@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <numbers>
 #include <set>
 
 #include "core/mesh.h"
@@ -58,8 +59,8 @@ std::string validate_edges(const Triangulation& t) {
 bool between(glm::dvec2 centre, glm::dvec2 start, glm::dvec2 end, glm::dvec2 p) {
     const auto angle = [&](glm::dvec2 q) { return std::atan2(q.y - centre.y, q.x - centre.x); };
     const auto turn = [&](double from, double to) {
-        const double t = std::fmod(to - from, 2 * M_PI);
-        return t < 0 ? t + 2 * M_PI : t;
+        const double t = std::fmod(to - from, 2 * std::numbers::pi);
+        return t < 0 ? t + 2 * std::numbers::pi : t;
     };
     const double rounding = 1e-9;  // radians; samples keep farther from their constraints
     return turn(angle(start), angle(p)) <= turn(angle(start), angle(end)) + rounding;
