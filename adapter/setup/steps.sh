@@ -92,7 +92,8 @@ build_project() {
     local build=$project/build/$preset
     if [ ! -f "$build/build.ninja" ]; then
         say "configuring the $preset build (usually 5 seconds)"
-        logged "configure-$preset" cmake -S "$project" --preset "$preset"
+        logged "configure-$preset" cmake -S "$project" --preset "$preset" \
+            -DCMAKE_CXX_COMPILER_LAUNCHER=ccache
     fi
     if ! ninja -C "$build" -n "$@" 2>/dev/null | grep -q 'no work to do'; then
         say "building povpreview, $preset (usually 2 to 4 minutes when new)"
