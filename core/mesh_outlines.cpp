@@ -28,7 +28,7 @@ Sample as_seed(const VertexSample& vertex) {
 
 /// Whether the edge is left to an outline that is being traced, or will be.
 bool MeshPreviewer::consider_outline(const RefinementHeap::Entry& edge) {
-    if (!options_.constraints || outlines_overdrawn()) return false;
+    if (!options_.constraints || !plan_.outlines || outlines_overdrawn()) return false;
     const SampleId a = mesh_.corner(edge.a, edge.b, true), b = mesh_.corner(edge.b, edge.a, false);
     if (!a.valid() || !b.valid()) return false;
     const VertexSample &p = mesh_.sample(a), &q = mesh_.sample(b);

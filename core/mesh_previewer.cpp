@@ -52,7 +52,11 @@ MeshPreviewer::MeshPreviewer(int width, int height, const MeshOptions& options)
 
 std::string_view MeshPreviewer::name() const { return options_.constraints ? "mesh" : "delaunay"; }
 
-Parts MeshPreviewer::parts() const { return options_.constraints ? Parts::surface : Parts::colour; }
+/// Surfaces tell where outlines are, which is of no use any more once pixels are only filled.
+Parts MeshPreviewer::parts() const {
+    const bool outlines = options_.constraints && refining_ && (plan_.outlines || !cost_known());
+    return outlines ? Parts::surface : Parts::colour;
+}
 
 /// A regular grid from border to border, asked for in levels from coarse to fine, so that even its
 /// first answers are spread over the image.
@@ -73,6 +77,20 @@ void MeshPreviewer::lay_grid() {
                 if (!taken[p]) grid_.push_back(p);
                 taken[p] = true;
             }
+}
+
+/// The first samples tell what the rest will cost. Those few during which the tracer's thread was
+/// put aside for another program are left out.
+void MeshPreviewer::learn_cost(const Sample& sample) {
+    constexpr double left_out = .02;
+    if (cost_known()) return;
+    grid_costs_.push_back(sample.cost_ns);
+    if (!cost_known()) return;
+    std::vector<std::uint32_t> costs = grid_costs_;
+    std::sort(costs.begin(), costs.end());
+    costs.resize(static_cast<std::size_t>(std::ceil((1 - left_out) * double(costs.size()))));
+    const double sum = std::accumulate(costs.begin(), costs.end(), 0.);
+    plan_ = plan_by_cost(sum / double(costs.size()), squares_.pixels());
 }
 
 std::optional<Request> MeshPreviewer::request(Pending pending) {
@@ -122,7 +140,7 @@ std::optional<Request> MeshPreviewer::next() {
 std::optional<Request> MeshPreviewer::refine() {
     const Triangulation& t = mesh_.triangulation();
     const auto budget =
-        static_cast<std::size_t>(options_.vertex_budget * static_cast<double>(squares_.pixels()));
+        static_cast<std::size_t>(plan_.vertex_budget * static_cast<double>(squares_.pixels()));
     while (t.vertices() < std::max<std::size_t>(budget, grid_.size())) {
         const auto entry = heap_.pop();
         if (!entry) {
@@ -183,6 +201,7 @@ void MeshPreviewer::accept(const Sample& sample) {
         return;
     }
     --full_pending_;
+    learn_cost(sample);
     if (pending.use == Pending::Use::side)
         accept_side(pending, sample, usable);
     else

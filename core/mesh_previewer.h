@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/bf_squares.h"
+#include "core/cost_plan.h"
 #include "core/edge_weight.h"
 #include "core/mesh.h"
 #include "core/outline_search.h"
@@ -31,9 +32,6 @@ struct MeshOptions {
     /// A square with more than this share of its pixels sampled is filled: with a sample to every
     /// fourth pixel, edges are some two pixels long and interpolation has nothing left to bridge.
     double dense = .25;
-    /// No more vertices than this share of the pixels; then the rest is filled. Past it, a vertex
-    /// costs more time than it saves over tracing its surroundings.
-    double vertex_budget = 1. / 6;
 };
 
 /// The paper's previewer (Pighin, Lischinski, Salesin 1997): a constrained Delaunay triangulation
@@ -75,6 +73,8 @@ class MeshPreviewer : public Previewer {
     };
 
     void lay_grid();
+    void learn_cost(const Sample& sample);
+    bool cost_known() const { return grid_costs_.size() == grid_.size(); }
     std::optional<Request> request(Pending pending);
     std::optional<Request> refine();
     std::optional<Request> split_constraint(VertexId a, VertexId b);
@@ -112,7 +112,9 @@ class MeshPreviewer : public Previewer {
     std::deque<Pending> sides_;            // one-sided samples to ask for
     std::vector<std::size_t> fill_order_;  // squares left when refinement ended, last first
     OutlineSearch search_;
-    std::size_t outline_rays_ = 0;  // spent on outlines
+    std::size_t outline_rays_ = 0;                            // spent on outlines
+    std::vector<std::uint32_t> grid_costs_;                   // of the first samples, nanoseconds
+    CostPlan plan_{false, plan_by_cost(0, 0).vertex_budget};  // until they are known
     std::size_t full_pending_ = 0;
     bool refining_ = true;
     VertexId recent_{0};  // a live vertex

@@ -28,7 +28,7 @@ class Previewer {
     virtual ~Previewer() = default;
 
     virtual std::string_view name() const = 0;
-    /// The parts of full samples that it uses.
+    /// The parts of full samples that it uses of those it asks for now.
     virtual Parts parts() const = 0;
 
     /// The next sample wanted; nothing while it must wait for answers, or when it is done.

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "core/cost_plan.h"
+
+namespace povpreview {
+namespace {
+
+/// A picture that takes the tracer less than this altogether is there in a moment.
+constexpr double moment_ns = 4e9;
+
+/// What a vertex costs us: finding its place, the triangles around it, weights, the heap.
+constexpr double vertex_ns = 5e3;
+
+/// Past a vertex to every sixth pixel, it costs more time than it saves over tracing the pixels
+/// around it, whatever they cost; less than one to every 24 leaves too coarse a mesh.
+constexpr double most_vertices = 1. / 6, least_vertices = 1. / 24;
+
+/// Vertices may take this share of the time that all samples take.
+constexpr double own_share = .05;
+
+}  // namespace
+
+CostPlan plan_by_cost(double sample_ns, std::size_t pixels) {
+    if (sample_ns <= 0) return {true, most_vertices};
+    CostPlan plan{sample_ns * static_cast<double>(pixels) > moment_ns, most_vertices};
+    const double affordable = own_share * sample_ns / vertex_ns;
+    while (plan.vertex_budget > affordable && plan.vertex_budget > least_vertices)
+        plan.vertex_budget /= 2;
+    return plan;
+}
+
+}  // namespace povpreview

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+
+namespace povpreview {
+
+/// How much work of our own a scene's samples deserve, by what they cost to trace.
+struct CostPlan {
+    /// Trace outlines and keep them as constraints. Each probe waits for the one before it, so a
+    /// scene that is complete in a moment is complete before its outlines are known.
+    bool outlines;
+    /// Vertices at most, as a share of the pixels; then the rest is filled.
+    double vertex_budget;
+};
+
+/// `sample_ns`: what a sample costs the tracer on average, in nanoseconds of one thread; 0 where it
+/// is not known. The answer changes in few steps, so that two runs seldom differ.
+CostPlan plan_by_cost(double sample_ns, std::size_t pixels);
+
+}  // namespace povpreview
