@@ -26,28 +26,21 @@ Sample as_seed(const VertexSample& vertex) {
 
 }  // namespace
 
-/// Whether the edge is left to an outline that is being traced, or will be.
-bool MeshPreviewer::consider_outline(const RefinementHeap::Entry& edge) {
-    if (!options_.constraints || !plan_.outlines || outlines_overdrawn()) return false;
-    const SampleId a = mesh_.corner(edge.a, edge.b, true), b = mesh_.corner(edge.b, edge.a, false);
-    if (!a.valid() || !b.valid()) return false;
-    const VertexSample &p = mesh_.sample(a), &q = mesh_.sample(b);
+/// Has the outline traced that a heavy edge crosses, if that is worth it. The edge is refined all
+/// the same: an outline is long in coming, since each of its probes waits for the one before.
+void MeshPreviewer::consider_outline(VertexId a, VertexId b) {
+    if (!options_.constraints || !plan_.outlines || outlines_overdrawn()) return;
+    const SampleId s = mesh_.corner(a, b, true), t = mesh_.corner(b, a, false);
+    if (!s.valid() || !t.valid()) return;
+    const VertexSample &p = mesh_.sample(s), &q = mesh_.sample(t);
     if (p.state != VertexSample::State::known || q.state != VertexSample::State::known ||
         p.surface == q.surface)
-        return false;
+        return;
     const float jump = std::sqrt(colour_distance(p.encoded, q.encoded));
     if (jump < options_.outline_jump ||
         jump * glm::distance(p.position, q.position) < options_.outline_weight)
-        return false;
-    switch (search_.consider(as_seed(p), as_seed(q))) {
-        case OutlineSearch::Verdict::refuse:
-            return false;
-        case OutlineSearch::Verdict::launched:
-        case OutlineSearch::Verdict::wait:
-            break;
-    }
-    search_.park(surface_pair(p.surface, q.surface), edge);
-    return true;
+        return;
+    search_.consider(as_seed(p), as_seed(q));
 }
 
 /// Whether outlines have used up the rays they are allowed.
@@ -59,11 +52,7 @@ bool MeshPreviewer::outlines_overdrawn() const {
 }
 
 std::optional<Request> MeshPreviewer::next_probe() {
-    if (outlines_overdrawn()) {
-        // The edges that wait must not: their outlines may be long in coming.
-        requeue(search_.take_parked());
-        return std::nullopt;
-    }
+    if (outlines_overdrawn()) return std::nullopt;
     const auto probe = search_.next();
     if (!probe) return std::nullopt;
     ++outline_rays_;
@@ -74,30 +63,19 @@ std::optional<Request> MeshPreviewer::next_probe() {
 }
 
 void MeshPreviewer::take_outlines() {
-    while (auto finished = search_.take_finished()) insert(*finished);
+    while (auto outline = search_.take_finished()) insert(*outline);
 }
 
-/// Inserts a traced outline, asks for the samples beside it, and lets the edges go on that waited.
-void MeshPreviewer::insert(const OutlineSearch::Finished& finished) {
-    const auto touched =
-        insert_outline(mesh_, {width_, height_}, finished.outline, [&](VertexId vertex) {
-            const SampleId sample = mesh_.first_sample(vertex);
-            if (sample.valid())
-                squares_.set_meshed(squares_.pixel_at(mesh_.sample(sample).position), false);
-        });
+/// Inserts a traced outline and asks for the samples beside it.
+void MeshPreviewer::insert(const Outline& outline) {
+    const auto touched = insert_outline(mesh_, {width_, height_}, outline, [&](VertexId vertex) {
+        const SampleId sample = mesh_.first_sample(vertex);
+        if (sample.valid())
+            squares_.set_meshed(squares_.pixel_at(mesh_.sample(sample).position), false);
+    });
     for (VertexId v : touched)
-        if (mesh_.triangulation().on_constraint(v)) promise_sides(v, &finished.outline);
+        if (mesh_.triangulation().on_constraint(v)) promise_sides(v, &outline);
     for (VertexId v : touched) queue_edges(v);
-    requeue(finished.parked);
-}
-
-void MeshPreviewer::requeue(const std::vector<RefinementHeap::Entry>& edges) {
-    const Triangulation& t = mesh_.triangulation();
-    for (const auto& [weight_then, a, b] : edges) {
-        Triangulation::Edge edge{};
-        if (!refining_ || !t.find_edge(a, b, edge) || !refinable(a, b, edge.constrained)) continue;
-        if (const auto now = weight(a, b)) heap_.push(a, b, *now);
-    }
 }
 
 /// Asks for a sample in each sector around a vertex that has none.

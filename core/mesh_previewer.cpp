@@ -95,7 +95,6 @@ void MeshPreviewer::learn_cost(const Sample& sample) {
 
 std::optional<Request> MeshPreviewer::request(Pending pending) {
     pending_.push_back(pending);
-    ++full_pending_;
     if (pending.use == Pending::Use::side) {
         ++vertices_pending_;
         return Request{mesh_.sample(pending.sample).position, RayKind::full};
@@ -117,12 +116,8 @@ std::optional<Request> MeshPreviewer::next() {
         sides_.pop_front();
         return request(side);
     }
-    if (search_.active()) {
+    if (search_.active())
         if (auto probe = next_probe()) return probe;
-        // Each probe waits for the one before it: keep the pipe short while outlines are followed.
-        if (search_.outstanding() > 0 && full_pending_ >= 4 + search_.outstanding())
-            return std::nullopt;
-    }
     for (;;) {
         if (const auto pixel = squares_.next_to_fill())
             return request({Pending::Use::fill, *pixel});
@@ -156,10 +151,7 @@ std::optional<Request> MeshPreviewer::refine() {
             heap_.push(a, b, *now);
             continue;
         }
-        if (consider_outline({*now, a, b})) {
-            if (auto probe = next_probe()) return probe;
-            continue;
-        }
+        consider_outline(a, b);
         if (edge.constrained) {
             if (auto wanted = split_constraint(a, b)) return wanted;
             continue;
@@ -200,7 +192,6 @@ void MeshPreviewer::accept(const Sample& sample) {
         take_outlines();
         return;
     }
-    --full_pending_;
     learn_cost(sample);
     if (pending.use == Pending::Use::side)
         accept_side(pending, sample, usable);
@@ -350,7 +341,7 @@ std::string MeshPreviewer::validate() const {
     std::sort(entries.begin(), entries.end());
     std::string fault;
     mesh_.triangulation().for_each_edge([&](VertexId a, VertexId b, bool constrained) {
-        if (!fault.empty() || !refinable(a, b, constrained) || search_.parked(a, b)) return;
+        if (!fault.empty() || !refinable(a, b, constrained)) return;
         const auto now = weight(a, b);
         if (!now) return;
         const std::pair<VertexId, VertexId> edge{std::min(a, b), std::max(a, b)};

@@ -80,12 +80,11 @@ class MeshPreviewer : public Previewer {
     std::optional<Request> split_constraint(VertexId a, VertexId b);
 
     // Outlines (mesh_outlines.cpp).
-    bool consider_outline(const RefinementHeap::Entry& edge);
+    void consider_outline(VertexId a, VertexId b);
     bool outlines_overdrawn() const;
     std::optional<Request> next_probe();
-    void requeue(const std::vector<RefinementHeap::Entry>& edges);
     void take_outlines();
-    void insert(const OutlineSearch::Finished& finished);
+    void insert(const Outline& outline);
     void promise_sides(VertexId vertex, const Outline* outline);
     void accept_side(Pending side, const Sample& sample, bool usable);
     std::uint32_t surface_beside(VertexId a, VertexId b, bool left) const;
@@ -115,7 +114,6 @@ class MeshPreviewer : public Previewer {
     std::size_t outline_rays_ = 0;                            // spent on outlines
     std::vector<std::uint32_t> grid_costs_;                   // of the first samples, nanoseconds
     CostPlan plan_{false, plan_by_cost(0, 0).vertex_budget};  // until they are known
-    std::size_t full_pending_ = 0;
     bool refining_ = true;
     VertexId recent_{0};  // a live vertex
 };

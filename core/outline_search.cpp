@@ -6,32 +6,16 @@
 
 namespace povpreview {
 
-OutlineSearch::Verdict OutlineSearch::consider(const Sample& a, const Sample& b) {
+void OutlineSearch::consider(const Sample& a, const Sample& b) {
     const SurfacePair pair = surface_pair(a.surface, b.surface);
-    if (at_work_[pair]) return Verdict::wait;
-    if (jobs_.size() >= most_active || tries_[pair] >= most_per_pair) return Verdict::refuse;
+    if (at_work_[pair] || jobs_.size() >= most_active || tries_[pair] >= most_per_pair) return;
     ++tries_[pair];
     OutlineTracer tracer(a, b, image_size_, options_);
-    if (tracer.done()) return Verdict::refuse;
+    if (tracer.done()) return;
     const std::uint32_t number = launched_++;
     jobs_.emplace(number, Job{pair, std::move(tracer)});
     order_.push_back(number);
     at_work_[pair] = true;
-    return Verdict::launched;
-}
-
-std::vector<RefinementHeap::Entry> OutlineSearch::take_parked() {
-    std::vector<RefinementHeap::Entry> all;
-    for (const auto& [pair, edges] : parked_) all.insert(all.end(), edges.begin(), edges.end());
-    parked_.clear();
-    return all;
-}
-
-bool OutlineSearch::parked(VertexId a, VertexId b) const {
-    for (const auto& [pair, edges] : parked_)
-        for (const auto& edge : edges)
-            if ((edge.a == a && edge.b == b) || (edge.a == b && edge.b == a)) return true;
-    return false;
 }
 
 std::optional<OutlineSearch::Probe> OutlineSearch::next() {
@@ -63,16 +47,15 @@ void OutlineSearch::retire(std::uint32_t number) {
     if (length < short_outline ||
         (outline.begin == OutlineEnd::lost && outline.end == OutlineEnd::lost))
         tries_[job.pair] = most_per_pair;
-    finished_.push_back({outline, std::move(parked_[job.pair])});
-    parked_.erase(job.pair);
+    finished_.push_back(outline);
     at_work_[job.pair] = false;
     jobs_.erase(number);
     order_.erase(std::find(order_.begin(), order_.end(), number));
 }
 
-std::optional<OutlineSearch::Finished> OutlineSearch::take_finished() {
+std::optional<Outline> OutlineSearch::take_finished() {
     if (finished_.empty()) return std::nullopt;
-    Finished first = std::move(finished_.front());
+    Outline first = std::move(finished_.front());
     finished_.pop_front();
     return first;
 }

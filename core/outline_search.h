@@ -9,7 +9,6 @@
 
 #include "core/oracle.h"
 #include "core/outline_tracer.h"
-#include "core/refinement_heap.h"
 
 namespace povpreview {
 
@@ -20,11 +19,11 @@ inline SurfacePair surface_pair(std::uint32_t a, std::uint32_t b) {
 }
 
 /// Runs outline tracers side by side, one for each pair of surfaces at a time: what one of them
-/// finds may answer the question of the others. Edges that wait for it are parked here.
+/// finds may answer the question of the others.
 class OutlineSearch {
    public:
     /// Tracers at work at a time. Each has one probe under way, so they fill a batch together.
-    static constexpr std::size_t most_active = 8;
+    static constexpr std::size_t most_active = 32;
     /// Outlines traced for one pair of surfaces. What is left then is refined without constraints,
     /// as are pairs whose outline got lost: there is no end to the pieces of hair or leaves.
     static constexpr int most_per_pair = 6;
@@ -40,21 +39,9 @@ class OutlineSearch {
         options_.most_probes = most_probes;
     }
 
-    enum class Verdict {
-        launched,  ///< a tracer was put to it
-        wait,      ///< one is at work on this pair: park the edge
-        refuse     ///< not worth it, or none is free: refine the edge as usual
-    };
-    /// Considers an edge whose ends lie on different surfaces.
-    Verdict consider(const Sample& a, const Sample& b);
-    void park(SurfacePair pair, const RefinementHeap::Entry& edge) {
-        parked_[pair].push_back(edge);
-    }
-
-    /// Lets all parked edges go.
-    std::vector<RefinementHeap::Entry> take_parked();
-    /// Whether the edge waits for an outline.
-    bool parked(VertexId a, VertexId b) const;
+    /// Considers an edge whose ends lie on different surfaces; launches a tracer if it is worth
+    /// one, one is free and none is at work on this pair.
+    void consider(const Sample& a, const Sample& b);
 
     struct Probe {
         std::uint32_t tracer;
@@ -68,11 +55,8 @@ class OutlineSearch {
     bool active() const { return !order_.empty(); }
     std::size_t outstanding() const { return outstanding_; }
 
-    struct Finished {
-        Outline outline;
-        std::vector<RefinementHeap::Entry> parked;  ///< the edges that waited for it
-    };
-    std::optional<Finished> take_finished();
+    /// The next outline that is complete, in the order of completion.
+    std::optional<Outline> take_finished();
 
    private:
     struct Job {
@@ -89,8 +73,7 @@ class OutlineSearch {
     std::size_t outstanding_ = 0;
     std::map<SurfacePair, bool> at_work_;
     std::map<SurfacePair, int> tries_;
-    std::map<SurfacePair, std::vector<RefinementHeap::Entry>> parked_;
-    std::deque<Finished> finished_;
+    std::deque<Outline> finished_;
 };
 
 }  // namespace povpreview
