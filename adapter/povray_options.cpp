@@ -206,8 +206,9 @@ std::vector<std::string> PovrayOptions::stock_arguments(const fs::path& output) 
     for (const char* forced :
          {"Initial_Frame=1", "Final_Frame=1", "-D", "-P", "-C", "-A",  // one sample per pixel
           "+SC0.0", "+EC1.0", "+SR0.0", "+ER1.0",                      // the whole image
-          "+FN16", "-UA", "-TH", "Grayscale_Output=off", "File_Gamma=sRGB", "-GA",
-          "+GF"})  // quiet, but for what ends it
+          "+FN16", "-UA", "-TH", "Grayscale_Output=off", "File_Gamma=sRGB",
+          // Warnings and what ends it; -GA would also silence the line that says where.
+          "-GD", "-GR", "-GS"})
         result.emplace_back(forced);
     result.push_back("+O" + quoted_name(output.string()));
     return result;

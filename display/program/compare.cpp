@@ -11,6 +11,7 @@
 #include "display/image_file.h"
 #include "display/offscreen.h"
 #include "display/program/curves.h"
+#include "display/program/folder.h"
 #include "display/program/interrupt.h"
 #include "display/program/reference.h"
 #include "display/program/schedule.h"
@@ -24,6 +25,7 @@ using namespace std::chrono_literals;
 
 /// What a method had at one moment of the schedule; its error is measured after the run.
 struct Moment {
+    std::string name;
     Standing standing;
     Picture picture;
 };
@@ -34,7 +36,7 @@ class Comparison {
         : options_(options), offscreen_(open_offscreen(options.backend)) {}
 
     Exit run() {
-        std::filesystem::create_directories(options_.out);
+        make_folder(options_.out, "--out");
         reference_ = stock_reference(options_.povray, options_.out, interrupted);
         for (const std::string& method : options_.methods) {
             measure(method, trace(method));
@@ -54,10 +56,10 @@ class Comparison {
         StrategyRun run(method, scene, scene.oracle());
         std::vector<Moment> moments;
         // Copying the picture is not part of the method's work, and is left off the clock.
-        const auto take = [&] {
+        const auto take = [&](const std::string& name) {
             const Standing standing = run.standing();
             scene.off_the_clock([&] {
-                moments.push_back({standing, run.previewer().picture(Overlay::none)});
+                moments.push_back({name, standing, run.previewer().picture(Overlay::none)});
                 line_.show(fmt::format("{}: {:.1f} s, {} samples", method, standing.time_s,
                                        standing.full));
             });
@@ -66,10 +68,21 @@ class Comparison {
         bool going = true;
         while (going && !interrupted() && !(options_.time && scene.time_s() >= *options_.time)) {
             going = run.session().advance(2ms);
-            if (run.samples() > 0 && schedule.due(scene.time_s())) take();
+            if (run.samples() == 0) continue;
+            if (const auto moment = schedule.due(scene.time_s()))
+                take(fmt::format("{:02d}-{:.2f}s", *moment, schedule.time(*moment)));
         }
-        take();
+        take("end");
         return moments;
+    }
+
+    /// Those of an earlier comparison, which had other moments.
+    void remove_pictures(const std::string& method) const {
+        std::vector<std::filesystem::path> old;
+        for (const auto& entry : std::filesystem::directory_iterator(options_.out))
+            if (entry.path().filename().string().ends_with("-" + method + ".png"))
+                old.push_back(entry.path());
+        for (const auto& path : old) std::filesystem::remove(path);
     }
 
     void check_size(const SceneDescription& scene) const {
@@ -81,6 +94,7 @@ class Comparison {
     }
 
     void measure(const std::string& method, const std::vector<Moment>& moments) {
+        remove_pictures(method);
         for (const Moment& moment : moments) {
             line_.show(fmt::format("{}: measuring the picture at {:.2f} s", method,
                                    moment.standing.time_s));
@@ -88,8 +102,7 @@ class Comparison {
                 offscreen_.render(moment.picture, reference_.width, reference_.height);
             const ErrorMeasures error = measure_error(image.pixels, reference_.pixels);
             curves_.push_back({method, moment.standing, error.l1, error.rmse});
-            write_image(image, options_.out /
-                                   fmt::format("{}-{:08.3f}s.png", method, moment.standing.time_s));
+            write_image(image, options_.out / fmt::format("{}-{}.png", moment.name, method));
         }
         line_.clear();
     }

@@ -13,6 +13,7 @@
 #include "display/caption.h"
 #include "display/image_file.h"
 #include "display/offscreen.h"
+#include "display/program/folder.h"
 #include "display/program/interrupt.h"
 #include "display/program/schedule.h"
 #include "display/program/strategy_run.h"
@@ -64,13 +65,7 @@ class Preview {
     /// Refuses what could not be written in the end, before hours of work.
     void check_outputs() {
         if (!options_.output.empty()) format_for(options_.output);
-        if (!options_.snapshots.empty()) {
-            std::error_code error;
-            std::filesystem::create_directories(options_.snapshots, error);
-            if (error)
-                throw Error(Exit::usage, "cannot make the folder: " + error.message(),
-                            options_.snapshots.string(), "give --snapshots another folder");
-        }
+        if (!options_.snapshots.empty()) make_folder(options_.snapshots, "--snapshots");
         if (!options_.reference.empty()) reference_ = read_image(options_.reference);
     }
 

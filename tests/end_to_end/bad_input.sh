@@ -92,7 +92,7 @@ tracer=$(pgrep -P $pid)
 kill -KILL $pid
 wait $pid 2>/dev/null
 sleep 1
-! kill -0 "$tracer" 2>/dev/null
+[ -n "$tracer" ] && ! grep -qs '^State:.[^ZX]' "/proc/$tracer/status"
 report $? "the tracer dies with the previewer"
 
 # No EGL: OSMesa; neither: the packages are named.
