@@ -120,7 +120,9 @@ class Preview {
             write_log();
             next_log_ = now + log_interval_s;
         }
-        if (!options_.snapshots.empty() && going_ && schedule_.due(now)) write_snapshot();
+        // Off the clock: what is shown at a moment is what an undisturbed preview shows then.
+        if (!options_.snapshots.empty() && going_ && schedule_.due(now))
+            scene_->off_the_clock([&] { write_snapshot(); });
         if (window_) look_at_window(now);
     }
 
