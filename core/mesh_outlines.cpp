@@ -51,8 +51,19 @@ bool MeshPreviewer::outlines_overdrawn() const {
            options_.outline_floor * pixels + options_.outline_share * full;
 }
 
+/// Begins a round of outlines when there are enough, or the first one has waited for long enough.
+void MeshPreviewer::start_outlines() {
+    constexpr std::size_t patience = 64;  // full samples
+    if (search_.active() > 0 || search_.waiting() == 0 || outlines_overdrawn()) {
+        if (search_.waiting() == 0) waiting_since_ = squares_.requested();
+        return;
+    }
+    if (search_.waiting() == OutlineSearch::round ||
+        squares_.requested() >= waiting_since_ + patience)
+        search_.start();
+}
+
 std::optional<Request> MeshPreviewer::next_probe() {
-    if (outlines_overdrawn()) return std::nullopt;
     const auto probe = search_.next();
     if (!probe) return std::nullopt;
     ++outline_rays_;

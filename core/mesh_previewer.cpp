@@ -20,6 +20,10 @@ namespace {
 /// from its other end.
 constexpr float weight_rounding = 1e-4f;
 
+/// Requests outstanding while outlines are traced, for each of them: with fewer the ray tracer
+/// would wait for us, with more each probe would wait behind samples for those that come before it.
+constexpr std::size_t window_per_outline = 16;
+
 /// Constrained edges are not split below this length in pixels: the outline itself is not known
 /// better, and one-sided samples are traced on top of the pixels' own.
 constexpr double shortest_constraint = 4;
@@ -116,8 +120,12 @@ std::optional<Request> MeshPreviewer::next() {
         sides_.pop_front();
         return request(side);
     }
-    if (search_.active())
+    start_outlines();
+    if (search_.active() > 0 && !outlines_overdrawn()) {
         if (auto probe = next_probe()) return probe;
+        // Answers come in the order of requests: a long queue would hold up every probe.
+        if (pending_.size() >= window_per_outline * (1 + search_.active())) return std::nullopt;
+    }
     for (;;) {
         if (const auto pixel = squares_.next_to_fill())
             return request({Pending::Use::fill, *pixel});

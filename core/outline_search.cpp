@@ -8,13 +8,13 @@ namespace povpreview {
 
 void OutlineSearch::consider(const Sample& a, const Sample& b) {
     const SurfacePair pair = surface_pair(a.surface, b.surface);
-    if (at_work_[pair] || jobs_.size() >= most_active || tries_[pair] >= most_per_pair) return;
+    if (at_work_[pair] || waiting_.size() >= round || tries_[pair] >= most_per_pair) return;
     ++tries_[pair];
     OutlineTracer tracer(a, b, image_size_, options_);
     if (tracer.done()) return;
     const std::uint32_t number = launched_++;
     jobs_.emplace(number, Job{pair, std::move(tracer)});
-    order_.push_back(number);
+    waiting_.push_back(number);
     at_work_[pair] = true;
 }
 

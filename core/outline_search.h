@@ -22,8 +22,9 @@ inline SurfacePair surface_pair(std::uint32_t a, std::uint32_t b) {
 /// finds may answer the question of the others.
 class OutlineSearch {
    public:
-    /// Tracers at work at a time. Each has one probe under way, so they fill a batch together.
-    static constexpr std::size_t most_active = 32;
+    /// Outlines are traced in rounds of so many. Each tracer has one probe under way, which waits
+    /// for the one before; together they keep a ray tracer busy.
+    static constexpr std::size_t round = 8;
     /// Outlines traced for one pair of surfaces. What is left then is refined without constraints,
     /// as are pairs whose outline got lost: there is no end to the pieces of hair or leaves.
     static constexpr int most_per_pair = 6;
@@ -39,9 +40,13 @@ class OutlineSearch {
         options_.most_probes = most_probes;
     }
 
-    /// Considers an edge whose ends lie on different surfaces; launches a tracer if it is worth
-    /// one, one is free and none is at work on this pair.
+    /// Considers an edge whose ends lie on different surfaces for the next round; takes it if there
+    /// is room and no other edge between these surfaces is in it.
     void consider(const Sample& a, const Sample& b);
+    /// Edges taken for the next round.
+    std::size_t waiting() const { return waiting_.size(); }
+    /// Begins the next round. REQUIRES: no round is under way.
+    void start() { order_.swap(waiting_); }
 
     struct Probe {
         std::uint32_t tracer;
@@ -52,7 +57,8 @@ class OutlineSearch {
     /// The answer to a probe, in the order of the requests.
     void accept(std::uint32_t tracer, const Sample& sample);
 
-    bool active() const { return !order_.empty(); }
+    /// Outlines being traced now.
+    std::size_t active() const { return order_.size(); }
     std::size_t outstanding() const { return outstanding_; }
 
     /// The next outline that is complete, in the order of completion.
@@ -68,7 +74,8 @@ class OutlineSearch {
     glm::ivec2 image_size_;
     OutlineOptions options_;
     std::map<std::uint32_t, Job> jobs_;  // by number
-    std::deque<std::uint32_t> order_;    // whose turn it is
+    std::deque<std::uint32_t> order_;    // at work: whose turn it is
+    std::deque<std::uint32_t> waiting_;  // for the next round
     std::uint32_t launched_ = 0;
     std::size_t outstanding_ = 0;
     std::map<SurfacePair, bool> at_work_;

@@ -247,13 +247,14 @@ TEST(MeshPreviewer, FillsSquaresWhereSamplesAreDense) {
 
 TEST(MeshPreviewer, TracedOutlinesBecomeConstraintsAndPayForThemselves) {
     const FunctionImage image = images::disc({160, 120}, 70);
+    constexpr int samples = 4000;  // the outline's hundred probes wait for one another
     double errors[2];
     for (bool constraints : {false, true}) {
         MeshOptions options;
         options.constraints = constraints;
         MeshPreviewer previewer(320, 240, options);
         FunctionOracle oracle(image);
-        const auto counts = run(previewer, oracle, 1500);
+        const auto counts = run(previewer, oracle, samples);
         errors[constraints] = displayed_error(previewer.picture(Overlay::none), image);
         EXPECT_EQ(previewer.validate(), "");
         if (!constraints) {
@@ -263,7 +264,7 @@ TEST(MeshPreviewer, TracedOutlinesBecomeConstraintsAndPayForThemselves) {
         }
         // The budget: a share of the pixels in advance and a share of the full rays.
         EXPECT_LE(static_cast<double>(counts.probe),
-                  options.outline_floor * 320 * 240 + options.outline_share * 1500 + 1);
+                  options.outline_floor * 320 * 240 + options.outline_share * samples + 1);
         EXPECT_GT(previewer.statistics().constraints, 10u);
         // Every constraint keeps to the circle, and the chain goes all around.
         double length = 0;
