@@ -147,6 +147,8 @@ void Window::set_overlay(Overlay overlay) {
     state_->stale = true;
 }
 
+void Window::press(char key) { state_->press(key); }
+
 bool Window::take_save_request() { return std::exchange(state_->controls.save, false); }
 
 void Window::set_title(const std::string& title) {

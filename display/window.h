@@ -33,6 +33,8 @@ class Window {
     const Controls& controls() const;
     /// What to begin with; keys change it.
     void set_overlay(Overlay overlay);
+    /// As if that key were pressed.
+    void press(char key);
     /// Whether saving was asked for since the last call.
     bool take_save_request();
 

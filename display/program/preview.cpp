@@ -75,6 +75,7 @@ class Preview {
             const SceneDescription& scene = scene_->description();
             window_.emplace(scene.width, scene.height, "povpreview: " + povray_.scene.string());
             window_->set_overlay(options_.overlay);
+            if (options_.beside != "none") window_->press('b');
         } catch (const Error& error) {
             line_.clear();
             fmt::print(stderr, "povpreview: {}; going on without a window\n", error.what());
