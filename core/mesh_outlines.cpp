@@ -30,6 +30,7 @@ Sample as_seed(const VertexSample& vertex) {
 /// the same: an outline is long in coming, since each of its probes waits for the one before.
 void MeshPreviewer::consider_outline(VertexId a, VertexId b) {
     if (!options_.constraints || !plan_.outlines || outlines_overdrawn()) return;
+    if (double(squares_.requested()) > options_.outline_until * double(squares_.pixels())) return;
     const SampleId s = mesh_.corner(a, b, true), t = mesh_.corner(b, a, false);
     if (!s.valid() || !t.valid()) return;
     const VertexSample &p = mesh_.sample(s), &q = mesh_.sample(t);

@@ -147,7 +147,9 @@ std::optional<Request> MeshPreviewer::refine() {
     while (t.vertices() < std::max<std::size_t>(budget, grid_.size())) {
         const auto entry = heap_.pop();
         if (!entry) {
-            if (vertices_pending_ > 0 || search_.outstanding() > 0) return std::nullopt;
+            // At first answers bring edges faster than they are asked for. Where few are still to
+            // come, waiting for each of them would leave the tracer idle.
+            if (4 * vertices_pending_ > t.vertices()) return std::nullopt;
             break;
         }
         const auto [old_weight, a, b] = *entry;

@@ -29,6 +29,8 @@ struct MeshOptions {
     /// outlines make edges crisp, but their rays mend no more of the mean error than samples do,
     /// and waiting for them costs time; so they get little.
     double outline_share = .05, outline_floor = .0005;
+    /// No more outlines once this share of the pixels is sampled: edges are sharp by then.
+    double outline_until = .1;
     /// Side of a cell of the first, regular grid, as a share of the larger image side.
     double grid_cell = 1. / 20;
     /// A square with more than this share of its pixels sampled is filled: with a sample to every
