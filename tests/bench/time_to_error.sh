@@ -26,6 +26,12 @@ for scene in "${scenes[@]}"; do
 done
 
 awk -F, -v OFS='\t' '
+# When the error fell to the level, between two points on logarithmic axes.
+function crossing(time, error, level) {
+    if (before_method != scene $1) return time
+    return exp(log(before_time) + log(time / before_time) * \
+        log(before_error / level) / log(before_error / error))
+}
 function add(key, ratio) { sum[key] += log(ratio); count[key]++ }
 FNR == 1 { n = split(FILENAME, path, "/"); scene = path[n - 1]; scenes[++total] = scene; next }
 {
@@ -33,8 +39,11 @@ FNR == 1 { n = split(FILENAME, path, "/"); scene = path[n - 1]; scenes[++total] 
     for (i = 1; i <= levels; i++) {
         key = scene SUBSEP $1 SUBSEP i
         if ($7 > level[i]) delete reached[key]
-        else if (!(key in reached)) reached[key] = $2
+        else if (!(key in reached)) reached[key] = crossing($2, $7 + 1e-6, level[i])
     }
+    before_method = scene $1
+    before_time = $2
+    before_error = $7 + 1e-6
 }
 BEGIN { levels = split(".05 .02 .01 .005 .002", level, " ") }
 END {
