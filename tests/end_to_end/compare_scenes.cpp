@@ -11,10 +11,11 @@
 
 int main(int argc, char** argv) {
     using namespace povpreview;
+    const std::filesystem::path start = std::filesystem::current_path();
     int exact = 0, compared = 0;
     std::printf("%8s %10s %8s %7s  scene\n", "worst", "differing", "rmse", "failed");
     for (int i = 1; i < argc; ++i) {
-        const std::filesystem::path scene = std::filesystem::absolute(argv[i]);
+        const std::filesystem::path scene = start / argv[i];
         try {
             const WorkFolder folder;
             // Scenes find their own files beside them.
