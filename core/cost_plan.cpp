@@ -5,7 +5,7 @@ namespace povpreview {
 namespace {
 
 /// A picture that takes the tracer less than this altogether is there in a moment.
-constexpr double moment_ns = 4e9;
+constexpr double moment_ns = 6e9;
 
 /// What a vertex costs us: finding its place, the triangles around it, weights, the heap.
 constexpr double vertex_ns = 5e3;
