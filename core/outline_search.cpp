@@ -23,16 +23,12 @@ std::optional<OutlineSearch::Probe> OutlineSearch::next() {
         const std::uint32_t number = order_.front();
         order_.pop_front();
         order_.push_back(number);
-        if (const auto position = jobs_.at(number).tracer.next()) {
-            ++outstanding_;
-            return Probe{number, *position};
-        }
+        if (const auto position = jobs_.at(number).tracer.next()) return Probe{number, *position};
     }
     return std::nullopt;
 }
 
 void OutlineSearch::accept(std::uint32_t number, const Sample& sample) {
-    --outstanding_;
     OutlineTracer& tracer = jobs_.at(number).tracer;
     tracer.accept(sample);
     if (tracer.done()) retire(number);

@@ -59,7 +59,6 @@ class OutlineSearch {
 
     /// Outlines being traced now.
     std::size_t active() const { return order_.size(); }
-    std::size_t outstanding() const { return outstanding_; }
 
     /// The next outline that is complete, in the order of completion.
     std::optional<Outline> take_finished();
@@ -77,7 +76,6 @@ class OutlineSearch {
     std::deque<std::uint32_t> order_;    // at work: whose turn it is
     std::deque<std::uint32_t> waiting_;  // for the next round
     std::uint32_t launched_ = 0;
-    std::size_t outstanding_ = 0;
     std::map<SurfacePair, bool> at_work_;
     std::map<SurfacePair, int> tries_;
     std::deque<Outline> finished_;

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <span>
+#include <string_view>
 
 namespace povpreview {
 
@@ -11,5 +12,8 @@ namespace povpreview {
 /// as it is. Throws Error(Exit::usage) with the path, the cause and a remedy; the old file, if any,
 /// is then untouched and nothing is left behind.
 void write_file(const std::filesystem::path& path, std::span<const unsigned char> bytes);
+inline void write_text(const std::filesystem::path& path, std::string_view text) {
+    write_file(path, {reinterpret_cast<const unsigned char*>(text.data()), text.size()});
+}
 
 }  // namespace povpreview

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <cctype>
 #include <cstdio>
 #include <memory>
 
@@ -29,6 +30,13 @@ struct Moment {
     Standing standing;
     Picture picture;
 };
+
+/// Whether a file is named as measure() names its pictures.
+bool is_picture_of(const std::string& method, const std::string& name) {
+    const bool moment = name.size() > 3 && std::isdigit(static_cast<unsigned char>(name[0])) &&
+                        std::isdigit(static_cast<unsigned char>(name[1])) && name[2] == '-';
+    return (moment || name.starts_with("end-")) && name.ends_with("-" + method + ".png");
+}
 
 class Comparison {
    public:
@@ -76,11 +84,11 @@ class Comparison {
         return moments;
     }
 
-    /// Those of an earlier comparison, which had other moments.
+    /// Those of an earlier comparison, which had other moments; nothing else that lies there.
     void remove_pictures(const std::string& method) const {
         std::vector<std::filesystem::path> old;
         for (const auto& entry : std::filesystem::directory_iterator(options_.out))
-            if (entry.path().filename().string().ends_with("-" + method + ".png"))
+            if (is_picture_of(method, entry.path().filename().string()))
                 old.push_back(entry.path());
         for (const auto& path : old) std::filesystem::remove(path);
     }

@@ -32,7 +32,7 @@ void write_curves(const std::vector<CurvePoint>& curves, const std::filesystem::
         text += fmt::format("{},{:.4f},{:.4f},{},{},{},{:.7f},{:.7f}\n", point.method, p.time_s,
                             p.launch_s, p.full, p.probe, p.albedo, point.l1, point.rmse);
     }
-    write_file(file, {reinterpret_cast<const unsigned char*>(text.data()), text.size()});
+    write_text(file, text);
 }
 
 std::optional<double> time_to_error(const std::vector<CurvePoint>& curves,

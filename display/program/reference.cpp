@@ -34,10 +34,6 @@ bool newer_than_all_beside(const fs::path& reference, const fs::path& scene) {
     return true;
 }
 
-void write_text(const fs::path& file, const std::string& text) {
-    write_file(file, {reinterpret_cast<const unsigned char*>(text.data()), text.size()});
-}
-
 }  // namespace
 
 Image stock_reference(const std::vector<std::string>& povray_words, const fs::path& folder,
