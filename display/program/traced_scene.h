@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,10 +24,10 @@ class TracedScene {
     const SceneDescription& description() const { return description_; }
 
     /// Seconds since the parse ended, and since the tracer was started; pauses not counted.
-    double time_s() const { return seconds(Clock::now() - parsed_) - paused_s_; }
-    double launch_s() const { return seconds(Clock::now() - launched_) - paused_s_; }
+    double time_s() const { return seconds(now() - parsed_) - paused_s_; }
+    double launch_s() const { return seconds(now() - launched_) - paused_s_; }
 
-    /// Runs something outside the clocks.
+    /// Runs something outside the clocks, which stand still meanwhile. Not to be nested.
     template <class Work>
     auto off_the_clock(const Work& work) {
         const Pause pause(*this);
@@ -37,14 +38,18 @@ class TracedScene {
     using Clock = std::chrono::steady_clock;
     static double seconds(Clock::duration d) { return std::chrono::duration<double>(d).count(); }
     struct Pause {
-        explicit Pause(TracedScene& s) : scene(s) {}
-        ~Pause() { scene.paused_s_ += seconds(Clock::now() - begin); }
+        explicit Pause(TracedScene& s) : scene(s) { scene.paused_at_ = Clock::now(); }
+        ~Pause() {
+            scene.paused_s_ += seconds(Clock::now() - *scene.paused_at_);
+            scene.paused_at_.reset();
+        }
         TracedScene& scene;
-        Clock::time_point begin = Clock::now();
     };
+    Clock::time_point now() const { return paused_at_.value_or(Clock::now()); }
 
     Clock::time_point launched_ = Clock::now(), parsed_;
     double paused_s_ = 0;
+    std::optional<Clock::time_point> paused_at_;
     PovrayOracle oracle_;
     const SceneDescription& description_;
 };
