@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "core/polygonal/backdrop.h"
+
+namespace povpreview {
+
+double nearness(const Backdrop& b, double t) {
+    const double share = (t - b.part.from) / (b.part.to - b.part.from);
+    return b.nearness_from + share * (b.nearness_to - b.nearness_from);
+}
+
+namespace {
+
+void push(std::vector<Backdrop>& parts, const Backdrop& b, double from, double to) {
+    if (to - from <= IntervalSet::shortest) return;
+    parts.push_back({{from, to}, nearness(b, from), nearness(b, to), b.face});
+}
+
+/// Of two backdrops, calls keep(nearer one, from, to) for the parts of an interval.
+template <class Keep>
+void compare(const Backdrop& a, const Backdrop& b, double from, double to, const Keep& keep) {
+    const double at_from = nearness(a, from) - nearness(b, from);
+    const double at_to = nearness(a, to) - nearness(b, to);
+    if (at_from >= 0 && at_to >= 0) return keep(a, from, to);
+    if (at_from <= 0 && at_to <= 0) return keep(b, from, to);
+    const double crossing = from + (to - from) * at_from / (at_from - at_to);
+    keep(at_from > 0 ? a : b, from, crossing);
+    keep(at_from > 0 ? b : a, crossing, to);
+}
+
+}  // namespace
+
+void put_in_front(Backdrop backdrop, std::vector<Backdrop>& nearest) {
+    std::vector<Backdrop> merged;
+    merged.reserve(nearest.size() + 2);
+    double from = backdrop.part.from;  // where the rest of it begins
+    const double end = backdrop.part.to;
+    for (const Backdrop& old : nearest) {
+        const double low = std::max(from, old.part.from), high = std::min(end, old.part.to);
+        if (low >= high) {
+            if (old.part.from >= end) push(merged, backdrop, from, end), from = end;
+            merged.push_back(old);
+            continue;
+        }
+        push(merged, backdrop, from, low);
+        push(merged, old, old.part.from, low);
+        compare(backdrop, old, low, high,
+                [&](const Backdrop& nearer, double a, double b) { push(merged, nearer, a, b); });
+        push(merged, old, high, old.part.to);
+        from = high;
+    }
+    if (from < end) push(merged, backdrop, from, end);
+    nearest = std::move(merged);
+}
+
+void parts_in_front(Backdrop backdrop, std::span<const Backdrop> nearest,
+                    std::vector<Backdrop>& parts) {
+    std::vector<Backdrop> kept;
+    double from = backdrop.part.from;
+    const double end = backdrop.part.to;
+    for (const Backdrop& other : nearest) {
+        const double low = std::max(from, other.part.from), high = std::min(end, other.part.to);
+        if (low >= high) continue;
+        push(kept, backdrop, from, low);
+        compare(backdrop, other, low, high, [&](const Backdrop& nearer, double a, double b) {
+            if (&nearer == &backdrop) push(kept, backdrop, a, b);
+        });
+        from = high;
+    }
+    if (from < end) push(kept, backdrop, from, end);
+    parts.insert(parts.end(), kept.begin(), kept.end());
+}
+
+}  // namespace povpreview

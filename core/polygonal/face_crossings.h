@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <glm/vec4.hpp>
+#include <vector>
+
+#include "core/polygonal/face_hierarchy.h"
+#include "core/polygonal/flat_faces.h"
+#include "core/polygonal/shadow_volumes.h"
+
+namespace povpreview {
+
+/// Where two faces pass through each other: an edge of the picture that is no edge of a face.
+struct Crossing {
+    SpaceSegment segment;
+    std::uint32_t f, g;
+};
+
+/// All crossings of faces that are seen at all. Faces that merely touch (see `contact`, at their
+/// distance from the eye) do not cross. `most` bounds them: there is no end to those of grass.
+std::vector<Crossing> find_crossings(const FlatFaces& faces, const FaceHierarchy& hierarchy,
+                                     const glm::dvec4& eye, std::size_t most);
+
+}  // namespace povpreview

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "core/polygonal/face_edges.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <tuple>
+
+namespace povpreview {
+namespace {
+
+/// Faces whose normals differ by less are coplanar: an angle of .1 degrees, under which shading
+/// differs by no more than a step of 8-bit colour.
+constexpr double coplanar_sine = .0017;
+
+/// Expected steps in colour, relative to that at a silhouette: rough, they only order the edges.
+constexpr float material_step = .6f, least_crease = .05f, most_crease = .6f;
+
+}  // namespace
+
+FaceEdges::FaceEdges(const FlatFaces& faces) : faces_(faces) {
+    struct Half {
+        std::uint32_t a, b, face;
+        bool forward;
+    };
+    std::vector<Half> halves;
+    for (std::uint32_t face = 0; face < faces.size(); ++face) {
+        const auto corners = faces.corners(face);
+        for (std::size_t i = 0; i < corners.size(); ++i) {
+            const std::uint32_t a = corners[i], b = corners[(i + 1) % corners.size()];
+            halves.push_back({std::min(a, b), std::max(a, b), face, a < b});
+        }
+    }
+    std::sort(halves.begin(), halves.end(), [](const Half& p, const Half& q) {
+        return std::tie(p.a, p.b, p.face) < std::tie(q.a, q.b, q.face);
+    });
+    uses_.reserve(halves.size());
+    for (const Half& half : halves) {
+        if (edges_.empty() || edges_.back().a != half.a || edges_.back().b != half.b)
+            edges_.push_back({half.a, half.b, static_cast<std::uint32_t>(uses_.size()), 0, 0});
+        ++edges_.back().count;
+        uses_.push_back({half.face, half.forward});
+    }
+    for (Edge& edge : edges_) edge.crease = crease(edge);
+}
+
+/// Of several faces in one edge, two that continue each other make the others a mere ornament.
+float FaceEdges::crease(const Edge& edge) const {
+    float least = 1;
+    for (std::uint32_t i = edge.first; i < edge.first + edge.count; ++i)
+        for (std::uint32_t j = i + 1; j < edge.first + edge.count; ++j)
+            least = std::min(least, crease_between(uses_[i], uses_[j]));
+    return edge.count > 2 ? std::max(least, least_crease) : least;
+}
+
+float FaceEdges::crease_between(const Use& f, const Use& g) const {
+    const Face &p = faces_.face(f.face), &q = faces_.face(g.face);
+    if (p.smooth != 0 && p.smooth == q.smooth) return 0;
+    const glm::dvec3 &m = faces_[f.face].normal, &n = faces_[g.face].normal;
+    const double sine = glm::length(glm::cross(m, n));
+    // Faces that run along the edge in opposite directions have normals to the same side.
+    const bool unfolded = (f.forward != g.forward) == (glm::dot(m, n) > 0);
+    if (unfolded && sine < coplanar_sine) return p.material == q.material ? 0 : material_step;
+    if (p.material != q.material) return material_step;
+    return std::clamp(static_cast<float>(sine), least_crease, most_crease);
+}
+
+}  // namespace povpreview

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/polygonal/flat_faces.h"
+#include "core/polygonal/shadow_volumes.h"
+
+namespace povpreview {
+
+/// The edges of all faces, each once, with the faces that meet in it.
+class FaceEdges {
+   public:
+    explicit FaceEdges(const FlatFaces& faces);
+
+    struct Edge {
+        std::uint32_t a, b;          ///< points, a < b
+        std::uint32_t first, count;  ///< its faces
+        /// How much of a step in colour to expect where surface goes on from one side of it to the
+        /// other, 0 to 1; 0 inside a smooth surface and between coplanar faces of one material.
+        float crease;
+    };
+    std::span<const Edge> edges() const { return edges_; }
+
+    SpaceSegment segment(const Edge& edge) const {
+        return {faces_.point(edge.a), faces_.point(edge.b), edge.a, edge.b};
+    }
+
+    /// Whether all faces for which `counts` lie to one side of the edge as the viewpoint sees it,
+    /// so that what is seen on its other side lies farther off. Exact.
+    template <class Counts>
+    bool silhouette(const Edge& edge, const ShadowVolumes& volumes, const Counts& counts) const;
+
+    /// Whether any of the edge's faces counts.
+    template <class Counts>
+    bool any(const Edge& edge, const Counts& counts) const {
+        const auto uses = std::span(uses_).subspan(edge.first, edge.count);
+        return std::any_of(uses.begin(), uses.end(),
+                           [&](const Use& use) { return counts(faces_.face(use.face)); });
+    }
+
+   private:
+    struct Use {
+        std::uint32_t face;
+        bool forward;  ///< the face's corners run from a to b
+    };
+    float crease(const Edge& edge) const;
+    float crease_between(const Use& f, const Use& g) const;
+
+    const FlatFaces& faces_;
+    std::vector<Edge> edges_;
+    std::vector<Use> uses_;
+};
+
+/// A face whose corners are seen counter-clockwise lies to the left of its edges, and one seen from
+/// behind to their right.
+template <class Counts>
+bool FaceEdges::silhouette(const Edge& edge, const ShadowVolumes& volumes,
+                           const Counts& counts) const {
+    bool left = false, right = false;
+    for (const Use& use : std::span(uses_).subspan(edge.first, edge.count)) {
+        const int facing = volumes.facing(use.face);
+        if (facing == 0 || !counts(faces_.face(use.face))) continue;
+        ((facing > 0) == use.forward ? left : right) = true;
+    }
+    return left != right;
+}
+
+}  // namespace povpreview

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "core/polygonal/face_hierarchy.h"
+
+#include <glm/common.hpp>
+#include <limits>
+#include <numeric>
+
+namespace povpreview {
+namespace {
+
+constexpr std::uint32_t leaf_size = 4;
+
+/// A box in single precision around points in double precision, never too small.
+FaceBox box_around(const glm::dvec3& low, const glm::dvec3& high) {
+    constexpr float grown = 1 + 4 * std::numeric_limits<float>::epsilon();
+    const glm::dvec3 middle = low / 2. + high / 2.;
+    const glm::vec3 centre(middle);
+    const glm::vec3 half(glm::max(high - glm::dvec3(centre), glm::dvec3(centre) - low));
+    return {centre, half * grown};
+}
+
+struct Bounds {
+    glm::dvec3 low{INFINITY}, high{-INFINITY};
+
+    void add(const FaceBox& box) {
+        low = glm::min(low, glm::dvec3(box.centre) - glm::dvec3(box.half));
+        high = glm::max(high, glm::dvec3(box.centre) + glm::dvec3(box.half));
+    }
+    /// Half of the surface, to which the chance is proportional that a line meets the box.
+    double surface() const {
+        const glm::dvec3 d = glm::max(high - low, glm::dvec3(0));
+        return d.x * d.y + d.y * d.z + d.z * d.x;
+    }
+};
+
+/// Boxes sorted into so many slots along an axis; a cut between two of them parts the faces.
+struct Slots {
+    static constexpr int count = 16;
+    int axis;
+    double from, scale;
+    Bounds bounds[count];
+    std::uint32_t faces[count] = {};
+
+    int slot(const FaceBox& box) const {
+        return std::clamp(static_cast<int>((box.centre[axis] - from) * scale), 0, count - 1);
+    }
+    void add(const FaceBox& box) {
+        bounds[slot(box)].add(box);
+        ++faces[slot(box)];
+    }
+    static void gather(Bounds& to, const Bounds& from) {
+        to.low = glm::min(to.low, from.low);
+        to.high = glm::max(to.high, from.high);
+    }
+    /// The cut after which slot makes the two sides' searches cheapest; -1 if all lies on one side.
+    int best_cut() const {
+        double right_cost[count];
+        Bounds right;
+        std::uint32_t right_faces = 0;
+        for (int i = count - 1; i > 0; --i) {
+            gather(right, bounds[i]);
+            right_faces += faces[i];
+            right_cost[i] = right_faces ? right.surface() * right_faces : -1;
+        }
+        Bounds left;
+        std::uint32_t left_faces = 0;
+        int best = -1;
+        double least = INFINITY;
+        for (int i = 0; i + 1 < count; ++i) {
+            gather(left, bounds[i]);
+            left_faces += faces[i];
+            if (left_faces == 0 || right_cost[i + 1] < 0) continue;
+            const double cost = left.surface() * left_faces + right_cost[i + 1];
+            if (cost < least) least = cost, best = i;
+        }
+        return best;
+    }
+};
+
+}  // namespace
+
+FaceHierarchy::FaceHierarchy(const FlatFaces& faces) {
+    if (faces.size() == 0) return;
+    boxes_.reserve(faces.size());
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+        glm::dvec3 low(INFINITY), high(-INFINITY);
+        for (const std::uint32_t corner : faces.corners(i)) {
+            low = glm::min(low, faces.point(corner));
+            high = glm::max(high, faces.point(corner));
+        }
+        boxes_.push_back(box_around(low, high));
+    }
+    order_.resize(faces.size());
+    std::iota(order_.begin(), order_.end(), 0u);
+    build(static_cast<std::uint32_t>(faces.size()));
+}
+
+void FaceHierarchy::build(std::uint32_t faces) {
+    struct Task {
+        std::uint32_t node, begin, end;
+        int depth;
+    };
+    nodes_.resize(1);
+    std::vector<Task> open{{0, 0, faces, 0}};
+    while (!open.empty()) {
+        const auto [node, begin, end, depth] = open.back();
+        open.pop_back();
+        Bounds bounds;
+        for (std::uint32_t i = begin; i < end; ++i) bounds.add(boxes_[order_[i]]);
+        nodes_[node] = {box_around(bounds.low, bounds.high), begin, end - begin};
+        if (end - begin <= leaf_size) continue;
+        // Unbalanced cuts may serve the search, but the search's stack is finite.
+        constexpr int free_levels = 24;
+        std::uint32_t middle = begin + (end - begin) / 2;
+        if (depth < free_levels) middle = split(begin, end);
+        const auto children = static_cast<std::uint32_t>(nodes_.size());
+        nodes_[node].first = children;
+        nodes_[node].count = 0;
+        nodes_.resize(nodes_.size() + 2);
+        open.push_back({children, begin, middle, depth + 1});
+        open.push_back({children + 1, middle, end, depth + 1});
+    }
+}
+
+/// Parts the faces of a node in two; where no cut does, in the middle of the list.
+std::uint32_t FaceHierarchy::split(std::uint32_t begin, std::uint32_t end) {
+    glm::dvec3 low(INFINITY), high(-INFINITY);
+    for (std::uint32_t i = begin; i < end; ++i) {
+        low = glm::min(low, glm::dvec3(boxes_[order_[i]].centre));
+        high = glm::max(high, glm::dvec3(boxes_[order_[i]].centre));
+    }
+    const glm::dvec3 size = high - low;
+    const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+    const std::uint32_t middle = begin + (end - begin) / 2;
+    if (!(size[axis] > 0)) return middle;
+    Slots slots{axis, low[axis], Slots::count / size[axis], {}, {}};
+    for (std::uint32_t i = begin; i < end; ++i) slots.add(boxes_[order_[i]]);
+    const int cut = slots.best_cut();
+    if (cut < 0) return middle;
+    const auto right =
+        std::partition(order_.begin() + begin, order_.begin() + end,
+                       [&](std::uint32_t face) { return slots.slot(boxes_[face]) <= cut; });
+    return static_cast<std::uint32_t>(right - order_.begin());
+}
+
+}  // namespace povpreview
