@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "tests/core/polygonal/sight_change.h"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+
+namespace povpreview {
+namespace {
+
+constexpr Real together = 1e-4L;  ///< of the distance: two points of one surface
+constexpr Real apart = 1e-2L;     ///< of the distance: points of surfaces with a gap between
+
+enum class Join { one_surface, matter_of_taste, edge };
+
+/// What two hits on different faces, seen beside each other, have between them.
+Join join(const BruteForce& brute, const Hit& a, const Hit& b) {
+    const Face& fa = brute.scene().faces[a.face];
+    const Face& fb = brute.scene().faces[b.face];
+    const bool smooth = fa.smooth != 0 && fa.smooth == fb.smooth;
+    if (!smooth && !brute.coplanar(a.face, b.face)) return Join::edge;
+    const Real gap = glm::distance(a.point, b.point) / std::max(a.distance, b.distance);
+    if (gap > apart) return Join::edge;
+    if (gap > together) return Join::matter_of_taste;
+    if (smooth) return Join::one_surface;
+    if (fa.material != fb.material) return Join::edge;
+    return fa.surface == fb.surface ? Join::one_surface : Join::matter_of_taste;
+}
+
+Change edge_at(std::uint32_t mirrors) {
+    return {mirrors == 0 ? EdgeKind::geometric : EdgeKind::reflection, 0, false};
+}
+
+}  // namespace
+
+std::optional<Change> change_between(const BruteForce& brute, const Sight& a, const Sight& b) {
+    std::optional<Change> taste;
+    const auto matter_of_taste = [&](Change change) {
+        change.optional = true;
+        if (!taste) taste = change;
+    };
+    for (std::size_t i = 0; i < std::max(a.hits.size(), b.hits.size()); ++i) {
+        if (i >= a.hits.size()) return edge_at(b.hits[i].mirrors);
+        if (i >= b.hits.size()) return edge_at(a.hits[i].mirrors);
+        const Hit &p = a.hits[i], &q = b.hits[i];
+        const std::uint32_t mirrors = std::max(p.mirrors, q.mirrors);
+        if (p.mirrors != q.mirrors) return edge_at(mirrors);
+        const bool two_faces = p.face != q.face;
+        if (two_faces) {
+            const Join joined = join(brute, p, q);
+            if (joined == Join::edge) return edge_at(mirrors);
+            if (joined == Join::matter_of_taste) matter_of_taste(edge_at(mirrors));
+        }
+        Change shadow{mirrors == 0 ? EdgeKind::shadow : EdgeKind::reflection, p.lit ^ q.lit, false};
+        if (shadow.lights != 0) {
+            if (!two_faces || brute.coplanar(p.face, q.face)) return shadow;
+            matter_of_taste(shadow);
+        }
+        shadow.lights = p.filtered ^ q.filtered;
+        if (shadow.lights != 0) matter_of_taste(shadow);
+    }
+    return taste;
+}
+
+bool same_sight(const Sight& a, const Sight& b) {
+    return std::equal(a.hits.begin(), a.hits.end(), b.hits.begin(), b.hits.end(),
+                      [](const Hit& p, const Hit& q) {
+                          return p.face == q.face && p.mirrors == q.mirrors && p.lit == q.lit;
+                      });
+}
+
+void close_in(const BruteForce& brute, glm::dvec2& a, glm::dvec2& b) {
+    const Sight before = brute.look(a);
+    while (glm::distance(a, b) > 1e-9) {
+        const glm::dvec2 middle = .5 * (a + b);
+        (same_sight(before, brute.look(middle)) ? a : b) = middle;
+    }
+}
+
+}  // namespace povpreview
