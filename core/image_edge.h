@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <glm/vec2.hpp>
 #include <vector>
@@ -14,6 +15,7 @@ enum class EdgeKind : std::uint8_t {
     reflection,  ///< either of them, seen in a mirror
     traced       ///< found by tracing; of any origin
 };
+inline constexpr std::size_t edge_kinds = 4;
 
 /// A straight piece of a discontinuity in the image, known before any sample is traced.
 struct ImageEdge {

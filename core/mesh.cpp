@@ -39,27 +39,33 @@ Mesh::Mesh(int width, int height)
 
 Triangulation::Insertion Mesh::insert(glm::dvec2 position, VertexId near) {
     const auto insertion = triangulation_.insert(position, near);
-    update_touched();
+    update_sides(triangulation_.touched());
     return insertion;
 }
 
-void Mesh::constrain(VertexId a, VertexId b) {
-    triangulation_.constrain(a, b);
-    update_touched();
+void Mesh::constrain(VertexId a, VertexId b, ConstraintLabel label) {
+    triangulation_.constrain(a, b, label);
+    update_sides(triangulation_.touched());
 }
 
 Triangulation::Insertion Mesh::split(VertexId a, VertexId b, glm::dvec2 p) {
     const auto insertion = triangulation_.split(a, b, p);
-    update_touched();
+    update_sides(triangulation_.touched());
     return insertion;
 }
 
 void Mesh::remove(VertexId vertex) { triangulation_.remove(vertex); }
 
-void Mesh::update_touched() {
+void Mesh::release_sides(std::span<const VertexId> touched) {
+    sides_held_ = false;
+    update_sides(touched);
+}
+
+void Mesh::update_sides(std::span<const VertexId> touched) {
     first_.resize(triangulation_.vertex_ids());
     sides_index_.resize(triangulation_.vertex_ids(), none);
-    for (VertexId v : triangulation_.touched())
+    if (sides_held_) return;
+    for (VertexId v : touched)
         if (triangulation_.on_constraint(v)) update_sides(v);
 }
 
@@ -274,9 +280,11 @@ void Mesh::draw(Picture& picture) const {
 
 void Mesh::draw_edges(Picture& picture, bool constraints_only) const {
     triangulation_.for_each_edge([&](VertexId a, VertexId b, bool constrained) {
-        if (constrained || !constraints_only)
-            picture.lines.push_back({glm::vec2(triangulation_.position(a)),
-                                     glm::vec2(triangulation_.position(b)), constrained});
+        if (!constrained && constraints_only) return;
+        const auto label = triangulation_.labels().find(a, b).value_or(ConstraintLabel{});
+        picture.lines.push_back({glm::vec2(triangulation_.position(a)),
+                                 glm::vec2(triangulation_.position(b)), constrained, label.kind,
+                                 label.light});
     });
 }
 

@@ -42,9 +42,15 @@ class Mesh {
 
     // The operations of Triangulation; afterwards `triangulation().touched()` tells what changed.
     Triangulation::Insertion insert(glm::dvec2 position, VertexId near);
-    void constrain(VertexId a, VertexId b);
+    void constrain(VertexId a, VertexId b, ConstraintLabel label = {});
     Triangulation::Insertion split(VertexId a, VertexId b, glm::dvec2 p);
     void remove(VertexId vertex);
+
+    /// Between the two, the operations above do not keep up the corners at vertices on constraints,
+    /// which is half of their work: nothing may be asked about those. `touched`: the live vertices
+    /// among all those that were touched.
+    void hold_sides() { sides_held_ = true; }
+    void release_sides(std::span<const VertexId> touched);
 
     /// Adds a sample that is asked for at `position`, to be filled in by `answer`.
     SampleId promise(VertexId vertex, glm::dvec2 position);
@@ -89,7 +95,7 @@ class Mesh {
         SampleId sample;  ///< invalid where there is none
     };
     void update_sides(VertexId vertex);
-    void update_touched();
+    void update_sides(std::span<const VertexId> touched);
     const VertexSample* known(SampleId id) const;
     SampleId in_wedge(VertexId vertex, const Wedge& wedge) const;
     Wedge wedge(VertexId vertex, const std::vector<Triangulation::Spoke>& fan,
@@ -105,7 +111,8 @@ class Mesh {
     std::vector<SampleId> first_;             // by vertex
     std::vector<std::uint32_t> sides_index_;  // by vertex, into sides_; none: off the constraints
     std::vector<std::vector<Side>> sides_;    // counter-clockwise
-    glm::dvec3 sum_{};                        // of all known colours, the last resort
+    bool sides_held_ = false;
+    glm::dvec3 sum_{};  // of all known colours, the last resort
     std::size_t count_ = 0;
     static constexpr std::uint32_t none = 0xffffffff;
 };

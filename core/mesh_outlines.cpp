@@ -6,8 +6,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "core/chain_insertion.h"
 #include "core/mesh_previewer.h"
-#include "core/outline_insertion.h"
 #include "core/predicates.h"
 
 namespace povpreview {
@@ -80,25 +80,23 @@ void MeshPreviewer::take_outlines() {
 
 /// Inserts a traced outline and asks for the samples beside it.
 void MeshPreviewer::insert(const Outline& outline) {
-    const auto touched = insert_outline(mesh_, {width_, height_}, outline, [&](VertexId vertex) {
-        const SampleId sample = mesh_.first_sample(vertex);
-        if (sample.valid())
-            squares_.set_meshed(squares_.pixel_at(mesh_.sample(sample).position), false);
-    });
-    for (VertexId v : touched)
-        if (mesh_.triangulation().on_constraint(v)) promise_sides(v, &outline);
-    for (VertexId v : touched) queue_edges(v);
+    ChainInsertion insertion = begin_insertion();
+    std::vector<glm::dvec2> chain = outline.vertices;
+    if (outline.closed && !chain.empty()) chain.push_back(chain.front());
+    insertion.insert(chain, {EdgeKind::traced, 0});
+    const std::size_t before = sides_.size();
+    finish_insertion(insertion);
+    outline_rays_ += sides_.size() - before;
 }
 
 /// Asks for a sample in each sector around a vertex that has none.
-void MeshPreviewer::promise_sides(VertexId vertex, const Outline* outline) {
+void MeshPreviewer::promise_sides(VertexId vertex) {
     std::vector<glm::dvec2> positions;
     mesh_.missing_positions(vertex, positions);
     for (glm::dvec2 p : positions) {
         Pending side{Pending::Use::side};
         side.vertex = vertex;
         side.sample = mesh_.promise(vertex, p);
-        if (outline) ++outline_rays_;
         sides_.push_back(side);
     }
 }
@@ -120,7 +118,7 @@ std::optional<Request> MeshPreviewer::split_constraint(VertexId a, VertexId b) {
     const auto split = mesh_.split(a, b, (t.position(a) + t.position(b)) / 2.);
     const std::vector<VertexId> touched(t.touched().begin(), t.touched().end());
     const std::size_t before = sides_.size();
-    if (split.fresh) promise_sides(split.vertex, nullptr);
+    if (split.fresh) promise_sides(split.vertex);
     for (std::size_t i = before; i < sides_.size(); ++i) {
         const glm::dvec2 p = mesh_.sample(sides_[i].sample).position;
         sides_[i].surface = orientation(t.position(a), t.position(b), p) > 0 ? left : right;

@@ -8,8 +8,6 @@
 #include <glm/geometric.hpp>
 #include <numeric>
 
-#include "core/outline_insertion.h"
-
 namespace povpreview {
 
 using Spoke = Triangulation::Spoke;
@@ -120,6 +118,7 @@ std::optional<Request> MeshPreviewer::next() {
         sides_.pop_front();
         return request(side);
     }
+    insert_chains();
     start_outlines();
     if (search_.active() > 0 && !outlines_overdrawn()) {
         if (auto probe = next_probe()) return probe;
@@ -264,6 +263,7 @@ void MeshPreviewer::queue_edges(VertexId vertex, VertexId except) {
 void MeshPreviewer::start_filling() {
     refining_ = false;
     heap_.clear();
+    chains_ = {};
     const std::vector<double> errors = expected_errors();
     fill_order_.resize(squares_.squares());
     std::iota(fill_order_.begin(), fill_order_.end(), std::size_t{0});
@@ -339,8 +339,8 @@ Picture MeshPreviewer::picture(Overlay overlay) const {
 }
 
 Statistics MeshPreviewer::statistics() const {
-    return {mesh_.triangulation().vertices(), mesh_.triangulation().constraints(),
-            squares_.known()};
+    return {mesh_.triangulation().vertices(), mesh_.triangulation().constraints(), squares_.known(),
+            mesh_.triangulation().labels().counts()};
 }
 
 std::string MeshPreviewer::validate() const {

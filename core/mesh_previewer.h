@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/bf_squares.h"
+#include "core/chain_insertion.h"
 #include "core/cost_plan.h"
 #include "core/edge_weight.h"
 #include "core/mesh.h"
@@ -31,6 +32,9 @@ struct MeshOptions {
     double outline_share = .05, outline_floor = .0005;
     /// No more outlines once this share of the pixels is sampled: edges are sharp by then.
     double outline_until = .1;
+    /// Vertices of exactly known chains in the mesh, for each full sample asked for: each of them
+    /// wants samples of its own, and where edges are denser than samples they show nothing.
+    double chain_share = 1;
     /// Side of a cell of the first, regular grid, as a share of the larger image side.
     double grid_cell = 1. / 20;
     /// A square with more than this share of its pixels sampled is filled: with a sample to every
@@ -54,6 +58,7 @@ class MeshPreviewer : public Previewer {
     Parts parts() const override;
     std::optional<Request> next() override;
     void accept(const Sample& sample) override;
+    void accept_edges(std::vector<EdgeChain>&& chains) override;
     bool done() const override;
     Picture picture(Overlay overlay) const override;
     Statistics statistics() const override;
@@ -83,6 +88,11 @@ class MeshPreviewer : public Previewer {
     std::optional<Request> refine();
     std::optional<Request> split_constraint(VertexId a, VertexId b);
 
+    // Chains of constraints (mesh_chains.cpp).
+    void insert_chains();
+    ChainInsertion begin_insertion();
+    void finish_insertion(ChainInsertion& insertion);
+
     // Outlines (mesh_outlines.cpp).
     void consider_outline(VertexId a, VertexId b);
     bool outlines_overdrawn() const;
@@ -90,7 +100,7 @@ class MeshPreviewer : public Previewer {
     std::optional<Request> next_probe();
     void take_outlines();
     void insert(const Outline& outline);
-    void promise_sides(VertexId vertex, const Outline* outline);
+    void promise_sides(VertexId vertex);
     void accept_side(Pending side, const Sample& sample, bool usable);
     std::uint32_t surface_beside(VertexId a, VertexId b, bool left) const;
     void start_filling();
@@ -115,6 +125,8 @@ class MeshPreviewer : public Previewer {
     std::size_t vertices_pending_ = 0;     // answers outstanding that may bring new edges
     std::deque<Pending> sides_;            // one-sided samples to ask for
     std::vector<std::size_t> fill_order_;  // squares left when refinement ended, last first
+    std::vector<EdgeChain> chains_;        // known and not yet inserted, lightest first
+    std::size_t chain_vertices_ = 0;       // of those inserted
     OutlineSearch search_;
     std::size_t outline_rays_ = 0;           // spent on outlines
     std::size_t waiting_since_ = 0;          // full rays when the next round's first edge was taken

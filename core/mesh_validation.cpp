@@ -44,6 +44,8 @@ std::string validate_edges(const Triangulation& t) {
         else if (edge.constrained != constrained || edge.left != back.right ||
                  edge.right != back.left)
             fault = named("the links disagree about edge ", a, b);
+        else if (constrained != t.labels().find(a, b).has_value())
+            fault = named("a label too few or too many at edge ", a, b);
         else if (constrained && !(t.on_constraint(a) && t.on_constraint(b)))
             fault = named("a vertex does not know of the constraint ", a, b);
         else if (!constrained && edge.left.valid() && edge.right.valid() &&
@@ -51,6 +53,12 @@ std::string validate_edges(const Triangulation& t) {
                            t.position(edge.right)) > 0)
             fault = named("Delaunay fails, and no constraint excuses it, at edge ", a, b);
     });
+    std::size_t labels = 0;
+    for (std::size_t count : t.labels().counts()) labels += count;
+    if (fault.empty() && (labels != t.constraints() || labels != t.labels().size()))
+        fault = "there are " + std::to_string(t.labels().size()) + " labels, " +
+                std::to_string(labels) + " by kind, for " + std::to_string(t.constraints()) +
+                " constraints";
     return fault;
 }
 

@@ -6,6 +6,8 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
+#include "core/image_edge.h"
+
 namespace povpreview {
 
 /// What a previewer shows, ready to draw: triangles, and pixels on top of them. Colours are linear
@@ -18,6 +20,8 @@ struct Picture {
     struct Line {
         glm::vec2 from, to;
         bool constraint;
+        EdgeKind kind = EdgeKind::traced;  ///< constraints: what they stand for
+        std::uint16_t light = 0;           ///< shadows and their reflections: whose
     };
 
     int width = 0, height = 0;

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string_view>
+#include <vector>
 
+#include "core/image_edge.h"
 #include "core/oracle.h"
 #include "core/picture.h"
 
@@ -18,6 +21,8 @@ struct Statistics {
     std::size_t vertices = 0;     ///< of the triangulation
     std::size_t constraints = 0;  ///< constrained edges in it
     std::size_t filled = 0;       ///< pixels that show their own full sample
+    /// The constrained edges by EdgeKind.
+    std::array<std::size_t, edge_kinds> constraints_by_kind{};
 };
 
 /// A way to choose samples and to make a picture of them. A pure state machine: it says which
@@ -35,6 +40,9 @@ class Previewer {
     virtual std::optional<Request> next() = 0;
     /// The answer to the oldest request not yet answered.
     virtual void accept(const Sample& sample) = 0;
+    /// Discontinuity edges known without tracing, heaviest first. May come at any time and more
+    /// than once. A previewer that has no use for them drops them.
+    virtual void accept_edges(std::vector<EdgeChain>&&) {}
     /// Every pixel shows a full sample of its own centre, and no answer is outstanding.
     virtual bool done() const = 0;
 

@@ -26,20 +26,58 @@ using Structure = CGAL::Triangulation_data_structure_2<Vertices, Faces>;
 using Base =
     CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure, CGAL::Exact_predicates_tag>;
 
-/// CGAL's triangulation, watched: it notes every vertex around which something changes.
+/// CGAL's triangulation, watched: it notes every vertex around which something changes, gives new
+/// ones their numbers and keeps the labels of constraints.
 class Watched : public Base {
    public:
+    Watched(glm::dvec2 low_corner, glm::dvec2 high_corner) : low(low_corner), high(high_corner) {}
+
+    const glm::dvec2 low, high;
+    std::vector<Vertex_handle> handles;  // by id; null: removed
+    std::vector<glm::dvec2> positions;   // by id
     std::vector<Vertex_handle> touched;
+    std::vector<VertexId> path;
+    ConstraintLabels labels;
 
     void touch(Vertex_handle v) {
         if (is_infinite(v) || v->info().touched) return;
+        name(v);
         v->info().touched = true;
         touched.push_back(v);
     }
 
+    VertexId name(Vertex_handle v) {
+        VertexInfo& info = v->info();
+        if (info.id.valid()) return info.id;
+        const glm::dvec2 p{v->point().x(), v->point().y()};
+        info.id = VertexId{static_cast<std::uint32_t>(handles.size())};
+        info.border = p.x <= low.x || p.y <= low.y || p.x >= high.x || p.y >= high.y;
+        handles.push_back(v);
+        positions.push_back(p);
+        return info.id;
+    }
+
+    Vertex_handle insert_at(const Point& p, Locate_type type, Face_handle face, int index) {
+        // CGAL frees a constraint before it looks for a crossing on it, and mends what is no longer
+        // Delaunay by inserting there, even where a vertex stands already.
+        if (type != EDGE || !face->is_constrained(index)) {
+            Vertex_handle v = Base::insert(p, type, face, index);
+            touch(v);
+            return v;
+        }
+        Vertex_handle a = face->vertex(cw(index)), b = face->vertex(ccw(index));
+        const auto label = labels.take(a->info().id, b->info().id);
+        Vertex_handle v = Base::insert(p, type, face, index);
+        for (Vertex_handle w : {a, v, b}) touch(w);
+        for (Vertex_handle w : {a, b}) labels.add(v->info().id, w->info().id, label.value());
+        return v;
+    }
+
     /// CGAL's insert_constraint, step by step so as to note every vertex on the way: CGAL is silent
-    /// where the constraint runs along edges that are there already.
-    void constrain(Vertex_handle from, Vertex_handle to) {
+    /// where the constraint runs along edges that are there already. Appends those after `from` to
+    /// `way`, if there is one.
+    void constrain(Vertex_handle from, Vertex_handle to, ConstraintLabel label,
+                   std::vector<VertexId>* way) {
         std::vector<std::pair<Vertex_handle, Vertex_handle>> pending{{from, to}};
         while (!pending.empty()) {
             auto [a, b] = pending.back();
@@ -67,6 +105,8 @@ class Watched : public Base {
                 triangulate_hole(crossed, left, right);
             }
             touch(next);
+            labels.add(a->info().id, next->info().id, label);
+            if (way) way->push_back(next->info().id);
             if (next != b) pending.emplace_back(next, b);
         }
     }
@@ -74,15 +114,14 @@ class Watched : public Base {
    protected:
     // CGAL inserts the crossings of constraints by these two.
     Vertex_handle virtual_insert(const Point& p, Face_handle start) override {
-        Vertex_handle v = Base::insert(p, start);
-        touch(v);
-        return v;
+        Locate_type type;
+        int index = 0;
+        Face_handle face = locate(p, type, index, start);
+        return insert_at(p, type, face, index);
     }
     Vertex_handle virtual_insert(const Point& p, Locate_type type, Face_handle face,
                                  int index) override {
-        Vertex_handle v = Base::insert(p, type, face, index);
-        touch(v);
-        return v;
+        return insert_at(p, type, face, index);
     }
     // As CGAL's, but with our `constrain` for the halves of the constraint that is crossed.
     Vertex_handle intersect(Face_handle face, int index, Vertex_handle a,
@@ -90,14 +129,16 @@ class Watched : public Base {
         Vertex_handle c = face->vertex(cw(index)), d = face->vertex(ccw(index));
         touch(c);
         touch(d);
+        const auto label = labels.take(c->info().id, d->info().id);
         Vertex_handle crossing =
             insert_intersection(face, index, a, b, c, d, a->point(), b->point(), c->point(),
                                 d->point(), CGAL::Exact_predicates_tag());
+        touch(crossing);
         if (crossing != c && crossing != d) {
-            constrain(c, crossing);
-            constrain(crossing, d);
+            constrain(c, crossing, label.value(), nullptr);
+            constrain(crossing, d, label.value(), nullptr);
         } else {
-            constrain(c, d);
+            constrain(c, d, label.value(), nullptr);
         }
         return crossing;
     }
@@ -120,31 +161,22 @@ Watched::Point point(glm::dvec2 p) { return {p.x, p.y}; }
 }  // namespace
 
 struct Triangulation::Impl {
+    Impl(glm::dvec2 low, glm::dvec2 high) : cdt(low, high) {}
+
     Watched cdt;
-    glm::dvec2 low, high;
-    std::vector<Handle> handles;  // null: removed
-    std::vector<glm::dvec2> positions;
     std::vector<VertexId> touched;
     std::size_t constraints = 0;
 
     Handle handle(VertexId id) const {
-        assert(id.value < handles.size() && handles[id.value] != Handle());
-        return handles[id.value];
+        assert(id.value < cdt.handles.size() && cdt.handles[id.value] != Handle());
+        return cdt.handles[id.value];
     }
 
     void begin() {
         for (Handle v : cdt.touched) v->info().touched = false;
         cdt.touched.clear();
+        cdt.path.clear();
         touched.clear();
-    }
-
-    VertexId name(Handle v) {
-        const glm::dvec2 p{v->point().x(), v->point().y()};
-        v->info().id = VertexId{static_cast<std::uint32_t>(handles.size())};
-        v->info().border = p.x <= low.x || p.y <= low.y || p.x >= high.x || p.y >= high.y;
-        handles.push_back(v);
-        positions.push_back(p);
-        return v->info().id;
     }
 
     std::uint32_t count_constraints(Handle v) const {
@@ -156,11 +188,10 @@ struct Triangulation::Impl {
         return count;
     }
 
-    /// Names new vertices and brings the counts of constraints up to date.
+    /// Brings the counts of constraints up to date.
     void finish() {
         std::size_t sum_before = 0, sum_after = 0;
         for (Handle v : cdt.touched) {
-            if (!v->info().id.valid()) name(v);
             sum_before += v->info().constraints;
             v->info().constraints = count_constraints(v);
             sum_after += v->info().constraints;
@@ -175,17 +206,10 @@ struct Triangulation::Impl {
         Face face = cdt.locate(point(p), type, index, handle(near)->face());
         assert(type != Watched::OUTSIDE_CONVEX_HULL && type != Watched::OUTSIDE_AFFINE_HULL);
         if (type == Watched::VERTEX) return {face->vertex(index)->info().id, false};
-        const bool splits = type == Watched::EDGE && face->is_constrained(index);
-        if (splits) {
-            cdt.touch(face->vertex(cdt.cw(index)));
-            cdt.touch(face->vertex(cdt.ccw(index)));
-        }
-        Handle v = cdt.insert(point(p), type, face, index);
-        cdt.touch(v);
-        return {name(v), true};
+        return {cdt.insert_at(point(p), type, face, index)->info().id, true};
     }
 
-    void free_edge(VertexId a, VertexId b) {
+    ConstraintLabel free_edge(VertexId a, VertexId b) {
         Face face;
         int index = 0;
         [[maybe_unused]] const bool found = cdt.is_edge(handle(a), handle(b), face, index);
@@ -196,20 +220,20 @@ struct Triangulation::Impl {
         cdt.touch(handle(b));
         for (Face f : flipped)
             for (int i = 0; i < 3; ++i) cdt.touch(f->vertex(i));
+        return cdt.labels.take(a, b).value();
     }
 
-    void constrain(VertexId a, VertexId b) {
-        if (a == b) return;
-        cdt.constrain(handle(a), handle(b));
+    void constrain(VertexId a, VertexId b, ConstraintLabel label) {
+        if (cdt.path.empty()) cdt.path.push_back(a);
+        if (a != b) cdt.constrain(handle(a), handle(b), label, &cdt.path);
     }
 };
 
-Triangulation::Triangulation(glm::dvec2 low, glm::dvec2 high) : impl_(std::make_unique<Impl>()) {
+Triangulation::Triangulation(glm::dvec2 low, glm::dvec2 high)
+    : impl_(std::make_unique<Impl>(low, high)) {
     assert(low.x < high.x && low.y < high.y);
-    impl_->low = low;
-    impl_->high = high;
     for (glm::dvec2 corner : {low, {high.x, low.y}, high, {low.x, high.y}})
-        impl_->name(impl_->cdt.insert(point(corner)));
+        impl_->cdt.name(impl_->cdt.insert(point(corner)));
 }
 Triangulation::~Triangulation() = default;
 Triangulation::Triangulation(Triangulation&&) noexcept = default;
@@ -222,18 +246,18 @@ Triangulation::Insertion Triangulation::insert(glm::dvec2 position, VertexId nea
     return insertion;
 }
 
-void Triangulation::constrain(VertexId a, VertexId b) {
+void Triangulation::constrain(VertexId a, VertexId b, ConstraintLabel label) {
     impl_->begin();
-    impl_->constrain(a, b);
+    impl_->constrain(a, b, label);
     impl_->finish();
 }
 
 Triangulation::Insertion Triangulation::split(VertexId a, VertexId b, glm::dvec2 p) {
     impl_->begin();
-    impl_->free_edge(a, b);
+    const ConstraintLabel label = impl_->free_edge(a, b);
     const Insertion insertion = impl_->insert(p, a);
-    impl_->constrain(a, insertion.vertex);
-    impl_->constrain(insertion.vertex, b);
+    impl_->constrain(a, insertion.vertex, label);
+    impl_->constrain(insertion.vertex, b, label);
     impl_->finish();
     return insertion;
 }
@@ -246,15 +270,18 @@ void Triangulation::remove(VertexId vertex) {
     do impl_->cdt.touch(around);
     while (++around != end);
     impl_->cdt.remove(v);
-    impl_->handles[vertex.value] = Handle();
+    impl_->cdt.handles[vertex.value] = Handle();
     impl_->finish();
 }
 
 std::span<const VertexId> Triangulation::touched() const { return impl_->touched; }
+std::span<const VertexId> Triangulation::path() const { return impl_->cdt.path; }
 
-glm::dvec2 Triangulation::position(VertexId vertex) const { return impl_->positions[vertex.value]; }
+glm::dvec2 Triangulation::position(VertexId vertex) const {
+    return impl_->cdt.positions[vertex.value];
+}
 bool Triangulation::alive(VertexId vertex) const {
-    return vertex.value < impl_->handles.size() && impl_->handles[vertex.value] != Handle();
+    return vertex.value < impl_->cdt.handles.size() && impl_->cdt.handles[vertex.value] != Handle();
 }
 bool Triangulation::on_constraint(VertexId vertex) const {
     return impl_->handle(vertex)->info().constraints > 0;
@@ -262,10 +289,11 @@ bool Triangulation::on_constraint(VertexId vertex) const {
 bool Triangulation::on_border(VertexId vertex) const {
     return impl_->handle(vertex)->info().border;
 }
-std::size_t Triangulation::vertex_ids() const { return impl_->handles.size(); }
+std::size_t Triangulation::vertex_ids() const { return impl_->cdt.handles.size(); }
 std::size_t Triangulation::vertices() const { return impl_->cdt.number_of_vertices(); }
 std::size_t Triangulation::faces() const { return impl_->cdt.number_of_faces(); }
 std::size_t Triangulation::constraints() const { return impl_->constraints; }
+const ConstraintLabels& Triangulation::labels() const { return impl_->cdt.labels; }
 
 void Triangulation::fan(VertexId vertex, std::vector<Spoke>& spokes) const {
     spokes.clear();

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "core/constraint_labels.h"
 #include "core/ids.h"
 
 namespace povpreview {
@@ -41,9 +42,11 @@ class Triangulation {
 
     /// Makes the segment from a to b a constraint: a chain of constrained edges, through vertices
     /// that lie on it and through new ones where it crosses other constraints, which are split.
-    void constrain(VertexId a, VertexId b);
+    /// Sets `path()`.
+    void constrain(VertexId a, VertexId b, ConstraintLabel label = {});
 
-    /// Replaces the constrained edge a-b by a-p and p-b, wherever p lies by rounding.
+    /// Replaces the constrained edge a-b by a-p and p-b, wherever p lies by rounding. They keep its
+    /// label.
     ///
     ///        c                 c
     ///       / \               /|\           p is hardly ever exactly on a-b: so a-b is freed,
@@ -60,6 +63,8 @@ class Triangulation {
     /// The live vertices around which the last operation changed something: every edge that is new,
     /// or newly constrained, or split has an end among them.
     std::span<const VertexId> touched() const;
+    /// The vertices of the chain that the last `constrain(a, b)` made, from a to b.
+    std::span<const VertexId> path() const;
 
     glm::dvec2 position(VertexId vertex) const;
     bool alive(VertexId vertex) const;
@@ -70,6 +75,7 @@ class Triangulation {
     std::size_t vertices() const;
     std::size_t faces() const;
     std::size_t constraints() const;  ///< constrained edges
+    const ConstraintLabels& labels() const;
 
     /// One edge out of a vertex, to its neighbour.
     struct Spoke {

@@ -10,7 +10,7 @@
 #include <numbers>
 #include <random>
 
-#include "core/outline_insertion.h"
+#include "core/chain_insertion.h"
 
 namespace povpreview {
 namespace {
@@ -107,11 +107,15 @@ TEST(Mesh, UnknownCornersNeverTakeColourFromAcross) {
     }
 }
 
-Outline outline_of(std::vector<dvec2> vertices, bool closed) {
-    Outline outline;
-    outline.vertices = std::move(vertices);
-    outline.closed = closed;
-    return outline;
+std::vector<VertexId> insert_chain(
+    Mesh& mesh, std::vector<dvec2> vertices, bool closed,
+    const std::function<void(VertexId)>& removed = [](VertexId) {},
+    EdgeKind kind = EdgeKind::traced) {
+    const auto size = static_cast<int>(mesh.triangulation().position(VertexId{2}).x);
+    if (closed) vertices.push_back(vertices.front());
+    ChainInsertion insertion(mesh, {size, size}, removed);
+    insertion.insert(vertices, {kind, 0});
+    return insertion.finish();
 }
 std::vector<dvec2> circle(dvec2 centre, double radius, int n, double phase = 0) {
     std::vector<dvec2> points;
@@ -141,12 +145,11 @@ double shortest_edge_inside(const Mesh& mesh) {
     return least;
 }
 
-TEST(InsertOutline, MakesAClosedChainAndClearsItsSurroundings) {
+TEST(InsertChain, MakesAClosedChainAndClearsItsSurroundings) {
     Mesh mesh = pixel_grid(64, 2);
     const std::size_t before = mesh.triangulation().vertices();
     std::size_t removed = 0;
-    insert_outline(mesh, {64, 64}, outline_of(circle({31, 33}, 20, 24), true),
-                   [&](VertexId) { ++removed; });
+    insert_chain(mesh, circle({31, 33}, 20, 24), true, [&](VertexId) { ++removed; });
     EXPECT_EQ(mesh.triangulation().constraints(), 24u);
     EXPECT_EQ(mesh.triangulation().vertices(), before - removed + 24);
     EXPECT_GT(removed, 10u);
@@ -162,18 +165,17 @@ TEST(InsertOutline, MakesAClosedChainAndClearsItsSurroundings) {
             const double along = glm::dot(r, d) / glm::dot(d, d);
             if (along < 0 || along > 1) continue;
             EXPECT_GE(std::abs(d.x * r.y - d.y * r.x) / glm::length(d),
-                      constraint_clearance - 1e-9);
+                      traced_chain.clearance - 1e-9);
         }
     });
 }
 
-TEST(InsertOutline, ASecondTraceOfTheSameOutlineFallsOnTheFirst) {
+TEST(InsertChain, ASecondTraceOfTheSameOutlineFallsOnTheFirst) {
     Mesh mesh = pixel_grid(64, 4);
-    insert_outline(mesh, {64, 64}, outline_of(circle({31, 33}, 20, 40), true), [](VertexId) {});
+    insert_chain(mesh, circle({31, 33}, 20, 40), true);
     const std::size_t once = mesh.triangulation().constraints();
     // The same circle by other points, .1 pixels off.
-    insert_outline(mesh, {64, 64}, outline_of(circle({31.1, 33}, 20, 37, .05), true),
-                   [](VertexId) {});
+    insert_chain(mesh, circle({31.1, 33}, 20, 37, .05), true);
     answer_sides(mesh, [](dvec2) { return vec3(.5f); });
     EXPECT_EQ(mesh.validate(), "");
     // Points on old edges split them; nothing runs beside them.
@@ -181,10 +183,10 @@ TEST(InsertOutline, ASecondTraceOfTheSameOutlineFallsOnTheFirst) {
     EXPECT_GT(shortest_edge_inside(mesh), .2);
 }
 
-/// Outlines of all kinds on top of each other: crossing, touching, along the border, twice.
-class OutlineScript : public testing::TestWithParam<unsigned> {};
+/// Chains of all kinds on top of each other: crossing, touching, along the border, twice.
+class ChainScript : public testing::TestWithParam<unsigned> {};
 
-TEST_P(OutlineScript, KeepsEveryInvariant) {
+TEST_P(ChainScript, KeepsEveryInvariant) {
     std::mt19937 random(GetParam());
     SCOPED_TRACE(testing::Message() << "seed " << GetParam());
     std::uniform_real_distribution<double> place(-.3, 64.3), size(1, 30);
@@ -203,14 +205,15 @@ TEST_P(OutlineScript, KeepsEveryInvariant) {
                 points.push_back(p);
             }
         }
-        insert_outline(mesh, {64, 64}, outline_of(points, closed), [](VertexId) {});
+        insert_chain(
+            mesh, points, closed, [](VertexId) {}, step % 2 ? EdgeKind::shadow : EdgeKind::traced);
         answer_sides(mesh, [](dvec2 p) { return vec3(float(p.x) / 64, float(p.y) / 64, 0); });
         ASSERT_EQ(mesh.validate(), "") << "step " << step;
     }
     EXPECT_GT(mesh.triangulation().constraints(), 20u);
 }
 
-INSTANTIATE_TEST_SUITE_P(Seeds, OutlineScript, testing::Range(1u, 16u));
+INSTANTIATE_TEST_SUITE_P(Seeds, ChainScript, testing::Range(1u, 16u));
 
 }  // namespace
 }  // namespace povpreview

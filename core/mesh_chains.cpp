@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+//
+// The mesh previewer's dealings with edges that are known without tracing: when they become
+// constraints of the mesh.
+#include <algorithm>
+
+#include "core/mesh_previewer.h"
+
+namespace povpreview {
+
+namespace {
+
+/// Vertices of chains inserted in one go, between two requests for samples: a millisecond or so.
+constexpr std::size_t chain_batch = 128;
+
+}  // namespace
+
+void MeshPreviewer::accept_edges(std::vector<EdgeChain>&& chains) {
+    if (!options_.constraints || !refining_) return;
+    std::erase_if(chains, [](const EdgeChain& chain) { return chain.vertices.size() < 2; });
+    chains_.insert(chains_.end(), std::make_move_iterator(chains.begin()),
+                   std::make_move_iterator(chains.end()));
+    // Of two that weigh the same, the one that came first.
+    std::stable_sort(chains_.begin(), chains_.end(),
+                     [](const EdgeChain& p, const EdgeChain& q) { return p.weight > q.weight; });
+    std::reverse(chains_.begin(), chains_.end());
+}
+
+/// Inserts known chains, heaviest first, as far as the samples so far deserve; once the first
+/// samples stand, which tell what is in between.
+void MeshPreviewer::insert_chains() {
+    const double allowed = options_.chain_share * static_cast<double>(squares_.requested());
+    if (chains_.empty() || !cost_known() || static_cast<double>(chain_vertices_) >= allowed) return;
+    ChainInsertion insertion = begin_insertion();
+    const std::size_t before = chain_vertices_;
+    while (!chains_.empty() && chain_vertices_ < before + chain_batch &&
+           static_cast<double>(chain_vertices_) < allowed) {
+        const EdgeChain& chain = chains_.back();
+        insertion.insert(chain.vertices, {chain.kind, chain.light});
+        chain_vertices_ += chain.vertices.size();
+        chains_.pop_back();
+    }
+    finish_insertion(insertion);
+}
+
+ChainInsertion MeshPreviewer::begin_insertion() {
+    return ChainInsertion(mesh_, {width_, height_}, [this](VertexId vertex) {
+        const SampleId sample = mesh_.first_sample(vertex);
+        if (sample.valid())
+            squares_.set_meshed(squares_.pixel_at(mesh_.sample(sample).position), false);
+    });
+}
+
+void MeshPreviewer::finish_insertion(ChainInsertion& insertion) {
+    const std::vector<VertexId> touched = insertion.finish();
+    for (VertexId v : touched)
+        if (mesh_.triangulation().on_constraint(v)) promise_sides(v);
+    for (VertexId v : touched) queue_edges(v);
+}
+
+}  // namespace povpreview
