@@ -7,7 +7,7 @@
 namespace povpreview {
 namespace {
 
-constexpr int image_size = 48;
+constexpr int image_size = 480;
 constexpr int scenes_per_family = 40;
 
 class Agreement : public testing::TestWithParam<Family> {
@@ -35,9 +35,10 @@ class Agreement : public testing::TestWithParam<Family> {
     }
 };
 
-TEST_P(Agreement, BetweenDifferentPixelsRunsAPiece) {
+TEST_P(Agreement, BetweenDifferentSightsRunsAPiece) {
     expect_kept(over_scenes(
-        [](const EdgeLaws& laws, Dice& dice) { return laws.pixels_are_parted(dice, 80); }, 1000));
+        [](const EdgeLaws& laws, Dice& dice) { return laws.neighbours_are_parted(dice, 80); },
+        1000));
 }
 
 TEST_P(Agreement, VisiblePointsOfEdgesAndShadowsLieOnPieces) {

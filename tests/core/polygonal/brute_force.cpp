@@ -12,7 +12,7 @@ namespace {
 
 constexpr Real contact = 1e-6L;     ///< of the line of sight's length: what touches hides nothing
 constexpr Real graze = 1e-7L;       ///< sine of an angle at which light runs along a face
-constexpr Real same_depth = 1e-6L;  ///< of the distance: faces at one depth
+constexpr Real near_plane = 2e-6L;  ///< of the distance: so near to a plane, it may touch
 
 Real dot4(const glm::dvec4& plane, const Vec3& p) {
     return Real(plane.x) * p.x + Real(plane.y) * p.y + Real(plane.z) * p.z + Real(plane.w);
@@ -110,11 +110,27 @@ std::optional<Real> BruteForce::meet(const Ray& ray, std::uint32_t face) const {
 
 Sight BruteForce::look(glm::dvec2 pixel) const {
     Sight sight;
-    follow(ray_through(pixel), 0, 0, sight);
+    follow(ray_through(pixel), {}, sight);
     return sight;
 }
 
-void BruteForce::follow(const Ray& ray, Real travelled, std::uint32_t mirrors, Sight& sight) const {
+/// Where a line meets two faces, one is within reach of touching the other; where they share a
+/// corner, all points near it are, and nothing is in doubt.
+bool BruteForce::hardly_apart(const Ray& ray, Real at, std::uint32_t face, Real beyond,
+                              std::uint32_t other) const {
+    const Real reach = near_plane * at * glm::length(ray.direction);
+    if (std::abs(height(ray.origin + beyond * ray.direction, face)) > reach &&
+        std::abs(height(ray.origin + at * ray.direction, other)) > reach)
+        return false;
+    const Face &a = scene_.faces[face], &b = scene_.faces[other];
+    for (std::uint32_t i = 0; i < a.count; ++i)
+        for (std::uint32_t j = 0; j < b.count; ++j)
+            if (scene_.corner(a, i) == scene_.corner(b, j)) return false;
+    return true;
+}
+
+/// `from`: where the line comes from, a mirror or (all zero) the eye.
+void BruteForce::follow(const Ray& ray, const Hit& from, Sight& sight) const {
     struct Met {
         Real t;
         std::uint32_t face;
@@ -122,7 +138,7 @@ void BruteForce::follow(const Ray& ray, Real travelled, std::uint32_t mirrors, S
     std::vector<Met> met;
     for (std::uint32_t f = 0; f < scene_.faces.size(); ++f) {
         const Face& face = scene_.faces[f];
-        if (!(mirrors == 0 ? face.visible : face.reflected)) continue;
+        if (!(from.mirrors == 0 ? face.visible : face.reflected)) continue;
         if (const auto t = meet(ray, f)) met.push_back({*t, f});
     }
     std::sort(met.begin(), met.end(),
@@ -131,24 +147,26 @@ void BruteForce::follow(const Ray& ray, Real travelled, std::uint32_t mirrors, S
     for (std::size_t i = 0; i < met.size(); ++i) {
         const Face& face = scene_.faces[met[i].face];
         for (std::size_t j = i + 1; j < met.size(); ++j) {
-            if (met[j].t - met[i].t > same_depth * met[i].t) break;
-            const Face& other = scene_.faces[met[j].face];
-            if (other.surface != face.surface || other.material != face.material) sight.tie = true;
+            if (met[j].t > 1.1L * met[i].t) break;
+            if (hardly_apart(ray, met[i].t, met[i].face, met[j].t, met[j].face)) sight.tie = true;
         }
         Hit hit{.face = met[i].face,
                 .point = ray.origin + met[i].t * ray.direction,
-                .distance = travelled + met[i].t * length,
-                .mirrors = mirrors};
+                .distance = from.distance + met[i].t * length,
+                .mirrors = from.mirrors,
+                .path = from.path};
         const Real slope = glm::dot(planes_[hit.face].normal, ray.direction) / length;
         if (std::abs(slope) < graze) sight.tie = true;
         light(hit, -ray.direction, sight);
         sight.hits.push_back(hit);
-        if (face.mirror > 0 && int(mirrors) < mirror_depth_) {
+        if (face.mirror > 0 && int(from.mirrors) < mirror_depth_) {
             const Vec3 normal = planes_[hit.face].normal;
             const Vec3 turned = ray.direction - 2 * glm::dot(ray.direction, normal) * normal;
+            Hit mirror = hit;
+            ++mirror.mirrors;
+            mirror.path = hit.path * 1000003 + hit.face + 1;
             // Starts past what touches the mirror where it is seen.
-            follow({hit.point, turned, contact * hit.distance / length}, hit.distance, mirrors + 1,
-                   sight);
+            follow({hit.point, turned, contact * hit.distance / length}, mirror, sight);
         }
         if (!face.transparent) break;
     }

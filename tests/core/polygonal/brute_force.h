@@ -27,6 +27,7 @@ struct Hit {
     Vec3 point{0};
     Real distance = 0;           ///< from the eye along all mirrors, in units of the scene
     std::uint32_t mirrors = 0;   ///< reflections between the eye and the point
+    std::uint64_t path = 0;      ///< which mirrors these are: equal for the same ones
     std::uint32_t lit = 0;       ///< bit i: light i of the scene's list shines on it, unhindered
     std::uint32_t filtered = 0;  ///< bit i: it does so through a transparent face
 };
@@ -74,7 +75,9 @@ class BruteForce {
     };
     std::optional<Real> meet(const Ray& ray, std::uint32_t face) const;
     Real height(const Vec3& point, std::uint32_t face) const;
-    void follow(const Ray& ray, Real travelled, std::uint32_t mirrors, Sight& sight) const;
+    void follow(const Ray& ray, const Hit& from, Sight& sight) const;
+    bool hardly_apart(const Ray& ray, Real at, std::uint32_t face, Real beyond,
+                      std::uint32_t other) const;
     void light(Hit& hit, const Vec3& towards_eye, Sight& sight) const;
     Vec3 corner(std::uint32_t face, std::uint32_t i) const;
 

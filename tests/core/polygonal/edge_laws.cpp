@@ -14,8 +14,12 @@
 namespace povpreview {
 namespace {
 
-constexpr double beside = 1e-4;  ///< pixels from a spot to where its two sides are looked at
+constexpr double beside = 5e-3;  ///< pixels from a spot to where its two sides are looked at
 constexpr std::size_t examples_kept = 5;
+constexpr int grid_size = 48;
+/// Positions of the grid that mirrors must show in to be asked about: edges in mirrors that are
+/// seen as a speck are not worth finding.
+constexpr int least_seen = 6;
 
 double distance_to(const ImageEdge& piece, glm::dvec2 spot) {
     const glm::dvec2 along = piece.to - piece.from;
@@ -55,6 +59,30 @@ EdgeLaws::EdgeLaws(const PolygonScene& scene, int mirror_depth)
         std::move(found.begin(), found.end(), std::back_inserter(pieces_));
         return true;
     });
+    for (int i = 0; i < grid_size * grid_size; ++i) {
+        grid_.emplace_back((i % grid_size + .5) * scene.width / grid_size,
+                           (i / grid_size + .5) * scene.height / grid_size);
+        sights_.push_back(brute_.look(grid_.back()));
+        std::uint64_t path = 0;
+        for (const Hit& hit : sights_.back().hits)
+            if (hit.path != path) ++seen_in_[path = hit.path];
+    }
+}
+
+/// Counts what is no question as such.
+bool EdgeLaws::asks_for_piece(const Sight& a, const Sight& b, const std::optional<Change>& change,
+                              Tally& tally) const {
+    if (!change || change->optional) return false;
+    if (a.tie || b.tie) {
+        ++tally.ties;
+        return false;
+    }
+    if (change->path != 0) {
+        const auto seen = seen_in_.find(change->path);
+        if (seen == seen_in_.end() || seen->second < least_seen) return false;
+    }
+    ++tally.asked;
+    return true;
 }
 
 bool EdgeLaws::served(glm::dvec2 spot, const Change& change) const {
@@ -78,38 +106,29 @@ std::string EdgeLaws::describe(glm::dvec2 spot, const Change& change) const {
                        spot.x, spot.y, name(change.kind), change.lights, nearest);
 }
 
-Tally EdgeLaws::pixels_are_parted(Dice& dice, int limit) const {
+Tally EdgeLaws::neighbours_are_parted(Dice& dice, int limit) const {
     Tally tally;
-    const int w = scene_.width, h = scene_.height;
-    std::vector<Sight> sights;
-    std::vector<glm::dvec2> centres;
-    for (int i = 0; i < w * h; ++i) {
-        centres.push_back({i % w + .5, i / w + .5});
-        sights.push_back(brute_.look(centres.back()));
+    std::vector<std::pair<std::size_t, std::size_t>> pairs;
+    for (std::size_t i = 0; i < grid_.size(); ++i) {
+        if (i % grid_size + 1 < grid_size && !same_sight(sights_[i], sights_[i + 1]))
+            pairs.emplace_back(i, i + 1);
+        if (i + grid_size < grid_.size() && !same_sight(sights_[i], sights_[i + grid_size]))
+            pairs.emplace_back(i, i + grid_size);
     }
-    std::vector<std::pair<int, int>> pairs;
-    for (int i = 0; i < w * h; ++i)
-        for (const int j : {i % w + 1 < w ? i + 1 : i, i + w < w * h ? i + w : i})
-            if (!same_sight(sights[std::size_t(i)], sights[std::size_t(j)]))
-                pairs.push_back({i, j});
     for (; limit > 0 && !pairs.empty(); --limit) {
         const auto [i, j] = pairs[std::size_t(dice.whole(0, int(pairs.size()) - 1))];
-        if (sights[std::size_t(i)].tie || sights[std::size_t(j)].tie) {
-            ++tally.ties;
-            continue;
-        }
-        // One change after the other on the way between the two centres.
-        glm::dvec2 at = centres[std::size_t(i)];
-        const glm::dvec2 end = centres[std::size_t(j)];
-        for (int step = 0; step < 30 && !same_sight(brute_.look(at), sights[std::size_t(j)]);
-             ++step) {
-            glm::dvec2 before = at, after = end;
+        // One change after the other on the way between the two positions.
+        glm::dvec2 at = grid_[i];
+        const glm::dvec2 along = beside * glm::normalize(grid_[j] - at);
+        for (int step = 0; step < 30 && !same_sight(brute_.look(at), sights_[j]); ++step) {
+            glm::dvec2 before = at, after = grid_[j];
             close_in(brute_, before, after);
-            const auto change = change_between(brute_, brute_.look(before), brute_.look(after));
             at = after;
-            if (!change || change->optional) continue;
-            ++tally.asked;
-            if (served(after, *change)) continue;
+            // Ties are told from a little off: at the very spot everything meets.
+            Sight a = brute_.look(before), b = brute_.look(after);
+            a.tie = brute_.look(before - along).tie, b.tie = brute_.look(after + along).tie;
+            const auto change = change_between(brute_, a, b);
+            if (!asks_for_piece(a, b, change, tally) || served(after, *change)) continue;
             ++tally.broken;
             tally.note(describe(after, *change));
         }
@@ -122,14 +141,8 @@ void EdgeLaws::ask_across(glm::dvec2 spot, glm::dvec2 along, const std::string& 
     if (!(glm::length(along) > 0)) return;
     const glm::dvec2 aside = beside * glm::normalize(glm::dvec2(-along.y, along.x));
     const Sight a = brute_.look(spot - aside), b = brute_.look(spot + aside);
-    if (a.tie || b.tie) {
-        ++tally.ties;
-        return;
-    }
     const auto change = change_between(brute_, a, b);
-    if (!change || change->optional) return;
-    ++tally.asked;
-    if (served(spot, *change)) return;
+    if (!asks_for_piece(a, b, change, tally) || served(spot, *change)) return;
     ++tally.broken;
     tally.note(origin + " " + describe(spot, *change));
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "core/polygonal/polygon_scene.h"
 #include "tests/core/polygonal/brute_force.h"
 #include "tests/core/polygonal/random_scenes.h"
+#include "tests/core/polygonal/sight_change.h"
 
 namespace povpreview {
 
@@ -30,9 +32,10 @@ class EdgeLaws {
    public:
     EdgeLaws(const PolygonScene& scene, int mirror_depth);
 
-    /// Between neighbouring pixel centres that show different things runs a piece of the kind that
-    /// tells them apart, within `tolerance` of the spot. At most `limit` pairs are looked into.
-    Tally pixels_are_parted(Dice& dice, int limit) const;
+    /// Between neighbours of a grid of positions that show different things runs, within
+    /// `tolerance` of the spot, a piece of the kind that tells them apart. At most `limit` pairs
+    /// are looked into.
+    Tally neighbours_are_parted(Dice& dice, int limit) const;
     /// On random points of the sides of faces, of the shadows' borders that they cast, and of the
     /// mirror images of both: where the picture changes there, a piece runs through.
     Tally points_lie_on_pieces(Dice& dice, int points) const;
@@ -42,11 +45,13 @@ class EdgeLaws {
     const std::vector<ImageEdge>& pieces() const { return pieces_; }
 
     /// How far from the spot a piece may be, pixels.
-    static constexpr double tolerance = 1e-3;
+    static constexpr double tolerance = .01;
 
    private:
-    bool served(glm::dvec2 spot, const struct Change& change) const;
-    std::string describe(glm::dvec2 spot, const struct Change& change) const;
+    bool asks_for_piece(const Sight& a, const Sight& b, const std::optional<Change>& change,
+                        Tally& tally) const;
+    bool served(glm::dvec2 spot, const Change& change) const;
+    std::string describe(glm::dvec2 spot, const Change& change) const;
     void ask_across(glm::dvec2 spot, glm::dvec2 along, const std::string& origin,
                     Tally& tally) const;
     bool visible_edge_at(glm::dvec2 spot) const;
@@ -55,6 +60,9 @@ class EdgeLaws {
     const PolygonScene& scene_;
     BruteForce brute_;
     std::vector<ImageEdge> pieces_;
+    std::vector<glm::dvec2> grid_;          ///< grid_size x grid_size positions
+    std::vector<Sight> sights_;             ///< there
+    std::map<std::uint64_t, int> seen_in_;  ///< Hit::path -> how often in the grid
 };
 
 }  // namespace povpreview

@@ -26,8 +26,8 @@ Join join(const BruteForce& brute, const Hit& a, const Hit& b) {
     return fa.surface == fb.surface ? Join::one_surface : Join::matter_of_taste;
 }
 
-Change edge_at(std::uint32_t mirrors) {
-    return {mirrors == 0 ? EdgeKind::geometric : EdgeKind::reflection, 0, false};
+Change edge_at(const Hit& hit) {
+    return {hit.mirrors == 0 ? EdgeKind::geometric : EdgeKind::reflection, hit.path, 0, false};
 }
 
 }  // namespace
@@ -39,18 +39,19 @@ std::optional<Change> change_between(const BruteForce& brute, const Sight& a, co
         if (!taste) taste = change;
     };
     for (std::size_t i = 0; i < std::max(a.hits.size(), b.hits.size()); ++i) {
-        if (i >= a.hits.size()) return edge_at(b.hits[i].mirrors);
-        if (i >= b.hits.size()) return edge_at(a.hits[i].mirrors);
+        if (i >= a.hits.size()) return edge_at(b.hits[i]);
+        if (i >= b.hits.size()) return edge_at(a.hits[i]);
         const Hit &p = a.hits[i], &q = b.hits[i];
-        const std::uint32_t mirrors = std::max(p.mirrors, q.mirrors);
-        if (p.mirrors != q.mirrors) return edge_at(mirrors);
+        if (p.path != q.path) return edge_at(p.mirrors > q.mirrors ? p : q);
         const bool two_faces = p.face != q.face;
         if (two_faces) {
             const Join joined = join(brute, p, q);
-            if (joined == Join::edge) return edge_at(mirrors);
-            if (joined == Join::matter_of_taste) matter_of_taste(edge_at(mirrors));
+            if (joined == Join::edge) return edge_at(p);
+            if (joined == Join::matter_of_taste) matter_of_taste(edge_at(p));
         }
-        Change shadow{mirrors == 0 ? EdgeKind::shadow : EdgeKind::reflection, p.lit ^ q.lit, false};
+        Change shadow = edge_at(p);
+        if (p.mirrors == 0) shadow.kind = EdgeKind::shadow;
+        shadow.lights = p.lit ^ q.lit;
         if (shadow.lights != 0) {
             if (!two_faces || brute.coplanar(p.face, q.face)) return shadow;
             matter_of_taste(shadow);
@@ -64,7 +65,7 @@ std::optional<Change> change_between(const BruteForce& brute, const Sight& a, co
 bool same_sight(const Sight& a, const Sight& b) {
     return std::equal(a.hits.begin(), a.hits.end(), b.hits.begin(), b.hits.end(),
                       [](const Hit& p, const Hit& q) {
-                          return p.face == q.face && p.mirrors == q.mirrors && p.lit == q.lit;
+                          return p.face == q.face && p.path == q.path && p.lit == q.lit;
                       });
 }
 

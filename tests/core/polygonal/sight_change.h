@@ -12,6 +12,7 @@ namespace povpreview {
 /// How the picture differs between two near positions of the image.
 struct Change {
     EdgeKind kind = EdgeKind::geometric;
+    std::uint64_t path = 0;    ///< kind reflection: by which mirrors
     std::uint32_t lights = 0;  ///< kind shadow: bit i for light i of the scene's list
     /// A matter of taste whether this is an edge: faces in one plane that differ in name alone,
     /// shadows of transparent faces, where smooth shading turns away from the light.
