@@ -12,6 +12,11 @@ namespace {
 
 void push(std::vector<Backdrop>& parts, const Backdrop& b, double from, double to) {
     if (to - from <= IntervalSet::shortest) return;
+    if (!parts.empty() && parts.back().face == b.face && parts.back().part.to == from) {
+        parts.back().part.to = to;
+        parts.back().nearness_to = nearness(b, to);
+        return;
+    }
     parts.push_back({{from, to}, nearness(b, from), nearness(b, to), b.face});
 }
 
@@ -52,22 +57,29 @@ void put_in_front(Backdrop backdrop, std::vector<Backdrop>& nearest) {
     nearest = std::move(merged);
 }
 
+bool covered(std::span<const Backdrop> nearest) {
+    double end = 0;
+    for (const Backdrop& backdrop : nearest) {
+        if (backdrop.part.from - end > IntervalSet::shortest) return false;
+        end = backdrop.part.to;
+    }
+    return 1 - end <= IntervalSet::shortest;
+}
+
 void parts_in_front(Backdrop backdrop, std::span<const Backdrop> nearest,
                     std::vector<Backdrop>& parts) {
-    std::vector<Backdrop> kept;
     double from = backdrop.part.from;
     const double end = backdrop.part.to;
     for (const Backdrop& other : nearest) {
         const double low = std::max(from, other.part.from), high = std::min(end, other.part.to);
         if (low >= high) continue;
-        push(kept, backdrop, from, low);
+        push(parts, backdrop, from, low);
         compare(backdrop, other, low, high, [&](const Backdrop& nearer, double a, double b) {
-            if (&nearer == &backdrop) push(kept, backdrop, a, b);
+            if (&nearer == &backdrop) push(parts, backdrop, a, b);
         });
         from = high;
     }
-    if (from < end) push(kept, backdrop, from, end);
-    parts.insert(parts.end(), kept.begin(), kept.end());
+    if (from < end) push(parts, backdrop, from, end);
 }
 
 }  // namespace povpreview

@@ -17,8 +17,11 @@ double nearness(const Backdrop& backdrop, double t);
 /// of each part the nearest one stays: their upper envelope by nearness.
 void put_in_front(Backdrop backdrop, std::vector<Backdrop>& nearest);
 
+/// Whether backdrops, in order, leave no part of their segment open.
+bool covered(std::span<const Backdrop> nearest);
+
 /// Appends to `parts` those parts of a backdrop that are nearer than all of `nearest`, which are in
-/// order and apart from each other. `nearest` may be a part of `parts`.
+/// order and apart from each other.
 void parts_in_front(Backdrop backdrop, std::span<const Backdrop> nearest,
                     std::vector<Backdrop>& parts);
 

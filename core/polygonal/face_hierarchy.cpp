@@ -10,13 +10,14 @@ namespace {
 
 constexpr std::uint32_t leaf_size = 4;
 
-/// A box in single precision around points in double precision, never too small.
+/// A box in single precision around points in double precision, larger by what computing with it
+/// may be wrong by.
 FaceBox box_around(const glm::dvec3& low, const glm::dvec3& high) {
-    constexpr float grown = 1 + 4 * std::numeric_limits<float>::epsilon();
+    constexpr float margin = 8 * std::numeric_limits<float>::epsilon();
     const glm::dvec3 middle = low / 2. + high / 2.;
     const glm::vec3 centre(middle);
     const glm::vec3 half(glm::max(high - glm::dvec3(centre), glm::dvec3(centre) - low));
-    return {centre, half * grown};
+    return {centre, half + margin * (glm::abs(centre) + half)};
 }
 
 struct Bounds {
@@ -93,6 +94,10 @@ FaceHierarchy::FaceHierarchy(const FlatFaces& faces) {
     order_.resize(faces.size());
     std::iota(order_.begin(), order_.end(), 0u);
     build(static_cast<std::uint32_t>(faces.size()));
+    std::vector<FaceBox> ordered;
+    ordered.reserve(boxes_.size());
+    for (const std::uint32_t face : order_) ordered.push_back(boxes_[face]);
+    boxes_.swap(ordered);
 }
 
 void FaceHierarchy::build(std::uint32_t faces) {

@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
+#include <limits>
 #include <span>
 #include <utility>
 #include <vector>
@@ -20,19 +22,57 @@ struct FaceBox {
     glm::vec3 centre, half;
 };
 
-/// Half of space: where dot(normal, p) + offset >= 0.
-struct HalfSpace {
-    HalfSpace(const glm::dvec3& inward, const glm::dvec3& on)
-        : normal(inward), absolute(glm::abs(inward)), offset(-glm::dot(inward, on)) {}
+/// Several half spaces at once: a region that boxes lie in, or miss. Computed in single precision,
+/// with such margins that no box is missed that touches the region.
+class Region {
+   public:
+    /// REQUIRES: at most eight.
+    void add(const glm::dvec3& inward, const glm::dvec3& on) { set(used_++, inward, on); }
+    /// Adds one that holds all space until it is moved to end at a point.
+    void add_movable(const glm::dvec3& inward) {
+        movable_ = used_++;
+        normal_ = inward;
+    }
+    void move_to(const glm::dvec3& on) { set(movable_, normal_, on); }
 
     bool misses(const FaceBox& box) const {
-        return glm::dot(normal, glm::dvec3(box.centre)) + offset +
-                   glm::dot(absolute, glm::dvec3(box.half)) <
-               0;
+        const auto outside = std::bit_cast<std::array<std::uint64_t, 2>>((first_.inside(box) < 0) |
+                                                                         (second_.inside(box) < 0));
+        return (outside[0] | outside[1]) != 0;
     }
 
-    glm::dvec3 normal, absolute;
-    double offset;
+   private:
+    /// Four half spaces, computed with side by side.
+    struct Four {
+        using Lanes [[gnu::vector_size(16)]] = float;
+        Lanes x{}, y{}, z{}, offset{};
+        Lanes across_x{}, across_y{}, across_z{};  // half a box's size along the plane's normal
+
+        Lanes inside(const FaceBox& box) const {
+            return offset + x * box.centre.x + y * box.centre.y + z * box.centre.z +
+                   across_x * box.half.x + across_y * box.half.y + across_z * box.half.z;
+        }
+    };
+
+    void set(int number, const glm::dvec3& inward, const glm::dvec3& on) {
+        constexpr double margin = 8 * std::numeric_limits<float>::epsilon();
+        const double length = glm::length(inward);
+        if (!(length > 0)) return;  // no direction: the whole space
+        const glm::dvec3 n = inward / length;
+        Four& four = number < 4 ? first_ : second_;
+        const int lane = number % 4;
+        four.x[lane] = static_cast<float>(n.x);
+        four.y[lane] = static_cast<float>(n.y);
+        four.z[lane] = static_cast<float>(n.z);
+        four.across_x[lane] = std::abs(four.x[lane]);
+        four.across_y[lane] = std::abs(four.y[lane]);
+        four.across_z[lane] = std::abs(four.z[lane]);
+        four.offset[lane] = static_cast<float>(-glm::dot(n, on) + margin * glm::length(on));
+    }
+
+    int used_ = 0, movable_ = 0;
+    glm::dvec3 normal_{0};  // of the movable one
+    Four first_, second_;
 };
 
 /// Boxes around boxes around the faces of a scene (a bounding volume hierarchy): finds the few
@@ -41,10 +81,11 @@ class FaceHierarchy {
    public:
     explicit FaceHierarchy(const FlatFaces& faces);
 
-    /// Calls visit(face) for every face whose box the region may touch. `misses(box)` says that it
-    /// certainly does not; `visit` returns false to end the search.
+    /// Calls visit(face) for every face whose box the region may touch, roughly in order along
+    /// `direction`; `misses(box)` says that it certainly does not, and may say so of more boxes as
+    /// the search goes on. `visit` returns false to end it.
     template <class Misses, class Visit>
-    void search(const Misses& misses, const Visit& visit) const;
+    void search(const Misses& misses, const glm::vec3& direction, const Visit& visit) const;
 
     /// Calls visit(f, g) once for every two faces whose boxes touch.
     template <class Visit>
@@ -65,7 +106,7 @@ class FaceHierarchy {
 
     std::vector<Node> nodes_;           // the root first; children side by side
     std::vector<std::uint32_t> order_;  // faces, those of a node side by side
-    std::vector<FaceBox> boxes_;        // by face
+    std::vector<FaceBox> boxes_;        // of the faces, in this order
 };
 
 inline bool touch(const FaceBox& a, const FaceBox& b) {
@@ -75,21 +116,34 @@ inline bool touch(const FaceBox& a, const FaceBox& b) {
 }
 
 template <class Misses, class Visit>
-void FaceHierarchy::search(const Misses& misses, const Visit& visit) const {
-    if (nodes_.empty()) return;
+void FaceHierarchy::search(const Misses& misses, const glm::vec3& direction,
+                           const Visit& visit) const {
+    if (nodes_.empty() || misses(nodes_[0].box)) return;
     std::uint32_t stack[64];  // more than the deepest tree has levels, see build()
     std::size_t waiting = 0;
-    stack[waiting++] = 0;
-    while (waiting > 0) {
-        const Node& node = nodes_[stack[--waiting]];
-        if (misses(node.box)) continue;
-        if (node.count == 0) {
-            stack[waiting++] = node.first + 1;
-            stack[waiting++] = node.first;
-            continue;
+    for (const Node* node = &nodes_[0];;) {
+        if (node->count == 0) {
+            const Node *near = &nodes_[node->first], *far = near + 1;
+            if (glm::dot(near->box.centre - far->box.centre, direction) > 0) std::swap(near, far);
+            const bool to_near = !misses(near->box), to_far = !misses(far->box);
+            if (to_near) {
+                if (to_far) stack[waiting++] = static_cast<std::uint32_t>(far - nodes_.data());
+                node = near;
+                continue;
+            }
+            if (to_far) {
+                node = far;
+                continue;
+            }
+        } else {
+            for (std::uint32_t i = node->first; i < node->first + node->count; ++i)
+                if (!misses(boxes_[i]) && !visit(order_[i])) return;
         }
-        for (std::uint32_t i = node.first; i < node.first + node.count; ++i)
-            if (!misses(boxes_[order_[i]]) && !visit(order_[i])) return;
+        // What waits was not missed when it was met, but may be by now.
+        do {
+            if (waiting == 0) return;
+            node = &nodes_[stack[--waiting]];
+        } while (misses(node->box));
     }
 }
 
@@ -119,7 +173,7 @@ template <class Visit>
 void FaceHierarchy::visit_leaves(const Node& a, const Node& b, const Visit& visit) const {
     for (std::uint32_t i = a.first; i < a.first + a.count; ++i)
         for (std::uint32_t j = &a == &b ? i + 1 : b.first; j < b.first + b.count; ++j)
-            if (touch(boxes_[order_[i]], boxes_[order_[j]])) visit(order_[i], order_[j]);
+            if (touch(boxes_[i], boxes_[j])) visit(order_[i], order_[j]);
 }
 
 }  // namespace povpreview

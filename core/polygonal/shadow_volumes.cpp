@@ -40,7 +40,7 @@ struct SegmentMisses {
 }  // namespace
 
 /// The part of the plane through the viewpoint and a segment that lies before the segment, or
-/// behind it, as what a box may miss.
+/// behind it.
 ///
 ///      viewpoint ------------ a
 ///               \            /|      before: the triangle
@@ -50,42 +50,29 @@ struct SegmentMisses {
 struct ShadowVolumes::Sheet {
     enum class Part { before, behind };
 
-    Sheet(const ShadowVolumes& volumes, const SpaceSegment& segment, Part part)
-        : through(normal_of(volumes.viewpoint_, segment), segment.a),
-          beside_a(beside(volumes.viewpoint_, segment.a, segment.b - segment.a)),
-          beside_b(beside(volumes.viewpoint_, segment.b, segment.a - segment.b)),
-          cut(across(volumes.viewpoint_, segment, part)) {
-        if (volumes.near_) near.emplace(volumes.near_->normal, volumes.near_->on);
+    Sheet(const ShadowVolumes& volumes, const SpaceSegment& segment, Part part) {
+        const glm::dvec4& v = volumes.viewpoint_;
+        const glm::dvec3 to_a = sight_line(v, segment.a), to_b = sight_line(v, segment.b);
+        const glm::dvec3 along = segment.b - segment.a, normal = glm::cross(to_a, along);
+        degenerate = !(glm::dot(normal, normal) > 0);
+        region.add(normal, segment.a);
+        region.add(-normal, segment.a);
+        add_side(glm::cross(normal, to_a), segment.a, along);
+        add_side(glm::cross(normal, to_b), segment.b, -along);
+        away = glm::dvec3(glm::normalize(to_a + to_b));
+        add_side(glm::cross(normal, along), segment.a, part == Part::before ? -away : away);
+        if (part == Part::behind) region.add_movable(-away);
+        if (volumes.near_) region.add(volumes.near_->normal, volumes.near_->on);
+    }
+
+    void add_side(const glm::dvec3& normal, const glm::dvec3& on, const glm::dvec3& inward) {
+        region.add(glm::dot(normal, inward) < 0 ? -normal : normal, on);
     }
 
     /// The segment is seen end on: a point, before and behind which there is no sheet.
-    bool degenerate() const { return !(glm::dot(through.normal, through.normal) > 0); }
-
-    bool operator()(const FaceBox& box) const {
-        const double distance = glm::dot(through.normal, glm::dvec3(box.centre)) + through.offset;
-        return std::abs(distance) > glm::dot(through.absolute, glm::dvec3(box.half)) ||
-               cut.misses(box) || beside_a.misses(box) || beside_b.misses(box) ||
-               (near && near->misses(box));
-    }
-
-    HalfSpace through, beside_a, beside_b, cut;
-    std::optional<HalfSpace> near;
-
-   private:
-    static glm::dvec3 normal_of(const glm::dvec4& v, const SpaceSegment& s) {
-        return glm::cross(sight_line(v, s.a), s.b - s.a);
-    }
-    HalfSpace beside(const glm::dvec4& v, const glm::dvec3& p, const glm::dvec3& inward) const {
-        glm::dvec3 n = glm::cross(through.normal, sight_line(v, p));
-        if (glm::dot(n, inward) < 0) n = -n;
-        return {n, p};
-    }
-    HalfSpace across(const glm::dvec4& v, const SpaceSegment& s, Part part) const {
-        glm::dvec3 n = glm::cross(through.normal, s.b - s.a);
-        const bool beyond = glm::dot(n, sight_line(v, s.a)) > 0;
-        if (beyond != (part == Part::behind)) n = -n;
-        return {n, s.a};
-    }
+    bool degenerate;
+    Region region;
+    glm::dvec3 away;  ///< from the viewpoint to the segment, of unit length
 };
 
 ShadowVolumes::ShadowVolumes(const FlatFaces& faces, const FaceHierarchy& hierarchy,
@@ -182,48 +169,91 @@ bool ShadowVolumes::clip_to_near(const SpaceSegment& segment, std::size_t face, 
     return clip(part, a - volume.height * tolerance.a, b - volume.height * tolerance.b);
 }
 
+/// Takes off `left` what one face hides.
+void ShadowVolumes::hide_by(std::size_t face, const SpaceSegment& segment, const Ends& tolerance,
+                            IntervalSet& left) const {
+    const Ends height = heights(segment, face);
+    Interval part;
+    if (clip(part, -height.a - tolerance.a, -height.b - tolerance.b) &&
+        clip_to_sides(segment, face, part) && clip_to_near(segment, face, height, part))
+        left.subtract(part);
+}
+
 void ShadowVolumes::hide(const SpaceSegment& segment, IntervalSet& left) const {
-    const Sheet sheet(*this, segment, Sheet::Part::before);
-    if (sheet.degenerate()) return left.subtract({0, 1});
+    if (left.empty()) return;
     const Ends tolerance = tolerances(segment);
-    hierarchy_.search(sheet, [&](std::uint32_t face) {
-        if (!volumes_[face].blocks) return true;
-        const Ends height = heights(segment, face);
-        Interval part;
-        if (clip(part, -height.a - tolerance.a, -height.b - tolerance.b) &&
-            clip_to_sides(segment, face, part) && clip_to_near(segment, face, height, part))
-            left.subtract(part);
-        return !left.empty();
-    });
+    // What hid the segment before is likely to hide its neighbour.
+    if (last_hider_ < volumes_.size()) hide_by(last_hider_, segment, tolerance, left);
+    if (left.empty()) return;
+    const Sheet sheet(*this, segment, Sheet::Part::before);
+    if (sheet.degenerate) return left.subtract({0, 1});
+    hierarchy_.search([&](const FaceBox& box) { return sheet.region.misses(box); }, -sheet.away,
+                      [&](std::uint32_t face) {
+                          if (!volumes_[face].blocks) return true;
+                          hide_by(face, segment, tolerance, left);
+                          if (left.empty()) last_hider_ = face;
+                          return !left.empty();
+                      });
 }
 
 void ShadowVolumes::cast(const SpaceSegment& segment, std::vector<Backdrop>& backdrops) const {
     backdrops.clear();
-    const Sheet sheet(*this, segment, Sheet::Part::behind);
-    if (sheet.degenerate()) return;
+    Sheet sheet(*this, segment, Sheet::Part::behind);
+    if (sheet.degenerate) return;
     const Ends tolerance = tolerances(segment);
     std::vector<Backdrop> through;  // faces that let light pass
-    hierarchy_.search(sheet, [&](std::uint32_t face) {
-        const Volume& volume = volumes_[face];
-        if (volume.facing == 0) return true;
-        const Ends height = heights(segment, face);
-        Interval part;
-        if (!clip(part, height.a - tolerance.a, height.b - tolerance.b) ||
-            !clip_to_sides(segment, face, part))
-            return true;
-        const auto nearness = [&](double t) {
-            return viewpoint_.w - (height.a + t * (height.b - height.a)) / volume.height;
-        };
-        const Backdrop backdrop{part, nearness(part.from), nearness(part.to), face};
-        if (volume.blocks)
-            put_in_front(backdrop, backdrops);
-        else
-            through.push_back(backdrop);
-        return true;
-    });
+    hierarchy_.search([&](const FaceBox& box) { return sheet.region.misses(box); }, sheet.away,
+                      [&](std::uint32_t face) {
+                          Backdrop backdrop;
+                          if (!cast_on(face, segment, tolerance, backdrop)) return true;
+                          if (!volumes_[face].blocks) {
+                              through.push_back(backdrop);
+                              return true;
+                          }
+                          put_in_front(backdrop, backdrops);
+                          if (covered(backdrops))
+                              sheet.region.move_to(farthest(segment, backdrops, sheet.away));
+                          return true;
+                      });
     const std::size_t blocking = backdrops.size();
+    std::vector<Backdrop> lit;
     for (const Backdrop& backdrop : through)
-        parts_in_front(backdrop, std::span(backdrops).first(blocking), backdrops);
+        parts_in_front(backdrop, std::span(backdrops).first(blocking), lit);
+    backdrops.insert(backdrops.end(), lit.begin(), lit.end());
+}
+
+/// The part of a segment behind which a face lies; false where there is none.
+bool ShadowVolumes::cast_on(std::uint32_t face, const SpaceSegment& segment, const Ends& tolerance,
+                            Backdrop& backdrop) const {
+    const Volume& volume = volumes_[face];
+    if (volume.facing == 0) return false;
+    const Ends height = heights(segment, face);
+    Interval part;
+    if (!clip(part, height.a - tolerance.a, height.b - tolerance.b) ||
+        !clip_to_sides(segment, face, part))
+        return false;
+    const auto nearness = [&](double t) {
+        return viewpoint_.w - (height.a + t * (height.b - height.a)) / volume.height;
+    };
+    backdrop = {part, nearness(part.from), nearness(part.to), face};
+    return true;
+}
+
+/// The point of the backdrops that lies farthest in a direction.
+glm::dvec3 ShadowVolumes::farthest(const SpaceSegment& segment,
+                                   const std::vector<Backdrop>& backdrops,
+                                   const glm::dvec3& direction) const {
+    glm::dvec3 result(0);
+    double most = -std::numeric_limits<double>::infinity();
+    const auto consider = [&](double t, double nearness) {
+        const glm::dvec3 p = behind(segment, t, nearness);
+        if (const double d = glm::dot(p, direction); d > most) most = d, result = p;
+    };
+    for (const Backdrop& b : backdrops) {
+        consider(b.part.from, b.nearness_from);
+        consider(b.part.to, b.nearness_to);
+    }
+    return result;
 }
 
 glm::dvec3 ShadowVolumes::behind(const SpaceSegment& segment, double t, double nearness) const {
@@ -237,7 +267,7 @@ bool ShadowVolumes::sees(const glm::dvec3& p) const {
     const glm::dvec3 from = viewpoint_.w != 0 ? v : p + v * (2e7 / glm::length(v));
     const double tolerance = contact * sight_distance(viewpoint_, p, faces_.extent());
     bool seen = true;
-    hierarchy_.search(SegmentMisses(from, p), [&](std::uint32_t face) {
+    hierarchy_.search(SegmentMisses(from, p), p - from, [&](std::uint32_t face) {
         const Volume& volume = volumes_[face];
         if (!volume.blocks || -volume.facing * faces_.height(face, p) <= tolerance) return true;
         const auto count = static_cast<std::uint32_t>(faces_.corners(face).size());

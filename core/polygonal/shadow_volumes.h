@@ -49,7 +49,7 @@ struct NearPlane {
 /// each other's planes. Here each volume stays whole, in a hierarchy of boxes: a segment is tested
 /// against those that reach into the triangle between it and the viewpoint. So every side test is
 /// one of the scene's own points against a plane through its own points, which can be decided
-/// exactly, and no error is handed down from split to split.
+/// exactly, and no error is handed down from split to split. Not for several threads at a time.
 class ShadowVolumes {
    public:
     /// All arguments must outlive it.
@@ -110,6 +110,12 @@ class ShadowVolumes {
     bool clip_to_sides(const SpaceSegment& segment, std::size_t face, Interval& part) const;
     Ends heights(const SpaceSegment& segment, std::size_t face) const;
     Ends tolerances(const SpaceSegment& segment) const;
+    void hide_by(std::size_t face, const SpaceSegment& segment, const Ends& tolerance,
+                 IntervalSet& left) const;
+    bool cast_on(std::uint32_t face, const SpaceSegment& segment, const Ends& tolerance,
+                 Backdrop& backdrop) const;
+    glm::dvec3 farthest(const SpaceSegment& segment, const std::vector<Backdrop>& backdrops,
+                        const glm::dvec3& direction) const;
     bool clip_to_near(const SpaceSegment& segment, std::size_t face, const Ends& heights,
                       Interval& part) const;
 
@@ -120,6 +126,7 @@ class ShadowVolumes {
     std::optional<NearPlane> near_;
     std::vector<Volume> volumes_;
     std::vector<Side> sides_;
+    mutable std::uint32_t last_hider_ = 0xffffffff;  // of a whole segment
 };
 
 }  // namespace povpreview
