@@ -58,6 +58,7 @@ class MeshPreviewer : public Previewer {
     Parts parts() const override;
     std::optional<Request> next() override;
     void accept(const Sample& sample) override;
+    bool wants_edges() const override { return options_.constraints; }
     void accept_edges(std::vector<EdgeChain>&& chains) override;
     bool done() const override;
     Picture picture(Overlay overlay) const override;
@@ -86,7 +87,19 @@ class MeshPreviewer : public Previewer {
     bool cost_known() const { return grid_costs_.size() == grid_.size(); }
     std::optional<Request> request(Pending pending);
     std::optional<Request> refine();
+    std::optional<Request> refine(const RefinementHeap::Entry& entry);
+    std::optional<Request> refine_side(const RefinementHeap::Entry& entry);
+
+    // One-sided samples (mesh_sides.cpp).
+    struct WeighedSide {
+        std::size_t side;
+        float weight;
+    };
+    std::optional<WeighedSide> heaviest_side(VertexId vertex) const;
+    std::optional<Request> ask_side(VertexId vertex, std::size_t side, std::uint32_t surface);
     std::optional<Request> split_constraint(VertexId a, VertexId b);
+    void accept_side(Pending side, const Sample& sample, bool usable);
+    std::uint32_t surface_beside(VertexId a, VertexId b, bool left) const;
 
     // Chains of constraints (mesh_chains.cpp).
     void insert_chains();
@@ -100,9 +113,6 @@ class MeshPreviewer : public Previewer {
     std::optional<Request> next_probe();
     void take_outlines();
     void insert(const Outline& outline);
-    void promise_sides(VertexId vertex);
-    void accept_side(Pending side, const Sample& sample, bool usable);
-    std::uint32_t surface_beside(VertexId a, VertexId b, bool left) const;
     void start_filling();
     std::vector<double> expected_errors() const;
     void add_outline_errors(std::vector<double>& errors) const;
@@ -113,6 +123,7 @@ class MeshPreviewer : public Previewer {
     std::optional<float> weight(VertexId a, VertexId b) const;
     bool refinable(VertexId a, VertexId b, bool constrained) const;
     void queue_edges(VertexId vertex, VertexId except = {});
+    void queue_side(VertexId vertex);
 
     int width_, height_;
     MeshOptions options_;
@@ -123,7 +134,7 @@ class MeshPreviewer : public Previewer {
     std::vector<Pixel> grid_;      // first samples, in order
     std::size_t grid_asked_ = 0;
     std::size_t vertices_pending_ = 0;     // answers outstanding that may bring new edges
-    std::deque<Pending> sides_;            // one-sided samples to ask for
+    std::deque<Pending> retries_;          // one-sided samples to ask for again
     std::vector<std::size_t> fill_order_;  // squares left when refinement ended, last first
     std::vector<EdgeChain> chains_;        // known and not yet inserted, lightest first
     std::size_t chain_vertices_ = 0;       // of those inserted

@@ -40,8 +40,9 @@ class Previewer {
     virtual std::optional<Request> next() = 0;
     /// The answer to the oldest request not yet answered.
     virtual void accept(const Sample& sample) = 0;
-    /// Discontinuity edges known without tracing, heaviest first. May come at any time and more
-    /// than once. A previewer that has no use for them drops them.
+    /// Whether it has a use for discontinuity edges known without tracing; else none need be found.
+    virtual bool wants_edges() const { return false; }
+    /// Such edges, heaviest first. May come at any time and more than once.
     virtual void accept_edges(std::vector<EdgeChain>&&) {}
     /// Every pixel shows a full sample of its own centre, and no answer is outstanding.
     virtual bool done() const = 0;
