@@ -281,19 +281,6 @@ TEST(BadInput, DoubledAndOverlappingFaces) {
     EXPECT_GT(length(find_soundly(builder.scene), EdgeKind::geometric), 30);
 }
 
-TEST(BadInput, TJunctions) {
-    SceneBuilder whole, parts;
-    for (SceneBuilder* builder : {&whole, &parts}) builder->look({.3, 3, -8}, {0, 1, 0}, 1, 64, 48);
-    // A wall of one piece, and one of pieces of one surface that meet in T-junctions.
-    whole.polygon({{-2, 0, 0}, {2, 0, 0}, {2, 2, 0}, {-2, 2, 0}});
-    parts.polygon({{-2, 0, 0}, {2, 0, 0}, {2, 1, 0}, {-2, 1, 0}});
-    parts.polygon({{-2, 1, 0}, {.5, 1, 0}, {.5, 2, 0}, {-2, 2, 0}});
-    parts.polygon({{.5, 1, 0}, {2, 1, 0}, {2, 2, 0}, {.5, 2, 0}});
-    for (Face& face : parts.scene.faces) face.surface = 1;
-    const auto expected = find_soundly(whole.scene), pieces = find_soundly(parts.scene);
-    EXPECT_NEAR(length(expected, EdgeKind::geometric), length(pieces, EdgeKind::geometric), 1e-6);
-}
-
 TEST(BadInput, ManyFacesAroundOnePointAndOneEdge) {
     SceneBuilder builder = plain_scene();
     Dice dice(9);

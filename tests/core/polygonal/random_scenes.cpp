@@ -61,6 +61,16 @@ void add_mirrors(SceneBuilder& builder, Dice& dice) {
     builder.style = plain;
 }
 
+void add_hall(SceneBuilder& builder, Dice& dice) {
+    const Face plain = builder.style;
+    builder.style.mirror = .9F;
+    for (const double side : {-1, 1}) {
+        const double x = side * dice.from_to(2.5, 3.5), lean = dice.from_to(-.3, .3);
+        builder.polygon({{x, 0, -3}, {x, 0, 3}, {x + lean, 3, 3}, {x + lean, 3, -3}});
+    }
+    builder.style = plain;
+}
+
 void add_mixed_styles(SceneBuilder& builder, Dice& dice) {
     for (int i = dice.whole(2, 6); i > 0; --i) {
         builder.style = {};
@@ -101,8 +111,9 @@ void add_camera(SceneBuilder& builder, Dice& dice, bool inside, bool parallel, i
 }  // namespace
 
 std::ostream& operator<<(std::ostream& out, Family family) {
-    constexpr const char* names[] = {"triangles",    "boxes",      "turned_boxes", "room",
-                                     "smooth_balls", "flat_balls", "mirrors",      "mixed_styles"};
+    constexpr const char* names[] = {"triangles", "boxes",        "turned_boxes",
+                                     "room",      "smooth_balls", "flat_balls",
+                                     "mirrors",   "mirror_hall",  "mixed_styles"};
     return out << names[int(family)];
 }
 
@@ -135,6 +146,10 @@ PolygonScene random_scene(Family family, std::uint64_t seed, int size) {
             break;
         case Family::mirrors:
             add_mirrors(builder, dice);
+            add_boxes(builder, dice, dice.chance(.5));
+            break;
+        case Family::mirror_hall:
+            add_hall(builder, dice);
             add_boxes(builder, dice, dice.chance(.5));
             break;
         case Family::mixed_styles:

@@ -18,6 +18,7 @@ enum class Family {
     smooth_balls,
     flat_balls,
     mirrors,      ///< boxes before one or two flat mirrors
+    mirror_hall,  ///< boxes between two mirrors that face each other
     mixed_styles  ///< transparent faces, and such as cast no shadow or stand in mirrors alone
 };
 std::ostream& operator<<(std::ostream& out, Family family);

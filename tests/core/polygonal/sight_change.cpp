@@ -10,6 +10,13 @@ namespace {
 constexpr Real together = 1e-4L;  ///< of the distance: two points of one surface
 constexpr Real apart = 1e-2L;     ///< of the distance: points of surfaces with a gap between
 
+bool share_corner(const PolygonScene& scene, const Face& a, const Face& b) {
+    for (std::uint32_t i = 0; i < a.count; ++i)
+        for (std::uint32_t j = 0; j < b.count; ++j)
+            if (scene.corner(a, i) == scene.corner(b, j)) return true;
+    return false;
+}
+
 enum class Join { one_surface, matter_of_taste, edge };
 
 /// What two hits on different faces, seen beside each other, have between them.
@@ -19,7 +26,9 @@ Join join(const BruteForce& brute, const Hit& a, const Hit& b) {
     const bool smooth = fa.smooth != 0 && fa.smooth == fb.smooth;
     if (!smooth && !brute.coplanar(a.face, b.face)) return Join::edge;
     const Real gap = glm::distance(a.point, b.point) / std::max(a.distance, b.distance);
-    if (gap > apart) return Join::edge;
+    // A face seen edge on has its far and its near end side by side.
+    if (gap > apart)
+        return share_corner(brute.scene(), fa, fb) ? Join::matter_of_taste : Join::edge;
     if (gap > together) return Join::matter_of_taste;
     if (smooth) return Join::one_surface;
     if (fa.material != fb.material) return Join::edge;
