@@ -2,12 +2,14 @@
 #include "core/polygonal/edge_finding.h"
 
 #include <algorithm>
-#include <memory>
+#include <iterator>
 #include <numeric>
 
 #include "core/polygonal/backdrop.h"
+#include "core/polygonal/contrast.h"
 #include "core/polygonal/face_crossings.h"
 #include "core/polygonal/face_edges.h"
+#include "core/polygonal/sides.h"
 #include "core/polygonal/view.h"
 
 namespace povpreview {
@@ -59,15 +61,19 @@ class Finder {
           faces_(scene),
           hierarchy_(faces_),
           edges_(faces_),
-          eye_(scene, faces_, hierarchy_) {}
+          contrast_(faces_),
+          eye_(scene, faces_, hierarchy_),
+          lights_(lights_by_brightness(scene)) {}
 
     void run() {
         if (faces_.size() == 0) return;
         if (!geometry(eye_) || !hand_over()) return;
-        crossings_ = find_crossings(faces_, hierarchy_, scene_.camera.eye,
+        crossings_ = find_crossings(faces_, hierarchy_,
                                     least_crossings + crossings_per_face * faces_.size());
-        if (!crossings(eye_) || !hand_over()) return;
-        for (const PointLight& light : lights_by_brightness())
+        if (!crossings(eye_)) return;
+        near_border();
+        if (!hand_over()) return;
+        for (const PointLight& light : lights_)
             if (!cast(light) || !shadows(eye_, shadows_.back()) || !hand_over()) return;
         mirrors(eye_, options_.mirror_depth);
     }
@@ -87,11 +93,25 @@ class Finder {
         return found_(std::exchange(pieces_, {}));
     }
 
-    void show(const View& view, const SpaceSegment& segment, EdgeKind kind, std::uint16_t light,
-              float importance) {
+    /// Adds what the image shows, by a view, of a segment. Of a `doubtful` one that is only what
+    /// there is to see at it; others are believed unless the middle tells better.
+    void show(const View& view, const SpaceSegment& segment, bool doubtful, float importance) {
+        visible_.assign({});
+        view.hide(segment, visible_);
+        const auto contrast = [&](double t) {
+            return contrast_.of_surfaces(view.volumes(), segment.at(t), segment.b - segment.a);
+        };
+        for (const Interval& part : visible_.intervals())
+            keep_where(part, !doubtful, contrast, [&](const Interval& kept) {
+                add(view, segment, kept, EdgeKind::geometric, 0, importance);
+            });
+    }
+
+    void add(const View& view, const SpaceSegment& segment, const Interval& part, EdgeKind kind,
+             std::uint16_t light, float importance) {
         if (view.mirrored()) kind = EdgeKind::reflection;
         importance *= view.strength();
-        view.show(segment, [&](glm::dvec2 from, glm::dvec2 to) {
+        view.show(segment.at(part.from), segment.at(part.to), [&](glm::dvec2 from, glm::dvec2 to) {
             const glm::dvec2 d = to - from;
             if (!(d.x * d.x + d.y * d.y > shortest_piece * shortest_piece)) return;
             pieces_.push_back({from, to, kind, light, importance});
@@ -101,27 +121,39 @@ class Finder {
     // ---- what a view shows
 
     bool geometry(const View& view) {
+        const auto shown = [&](const Face& face) { return view.shows(face); };
         for (const FaceEdges::Edge& edge : edges_.edges()) {
             const SpaceSegment segment = edges_.segment(edge);
             Interval part;
-            if (!view.clip_to_window(segment, part)) continue;
-            const bool outline = edges_.silhouette(
-                edge, view.volumes(), [&](const Face& face) { return view.shows(face); });
-            const float importance = outline ? 1 : edge.crease;
-            if (importance > 0 && edges_.any(edge, [&](const Face& f) { return view.shows(f); }))
-                show(view, segment, EdgeKind::geometric, 0, importance);
+            if (view.clip_to_window(segment, part) && edges_.any(edge, shown)) {
+                const bool outline = edges_.silhouette(edge, view.volumes(), shown);
+                const float importance = outline ? 1 : edge.crease;
+                if (importance > 0) show(view, segment, !edge.regular(), importance);
+            }
             if (!look()) return false;
         }
         return true;
     }
 
+    /// Where faces cross, and where the shadow of one that is not seen itself begins.
     bool crossings(const View& view) {
         for (const Crossing& crossing : crossings_) {
-            if (view.shows(faces_.face(crossing.f)) && view.shows(faces_.face(crossing.g)))
-                show(view, crossing.segment, EdgeKind::geometric, 0, crossing_step);
+            const Face &f = faces_.face(crossing.f), &g = faces_.face(crossing.g);
+            if (view.shows(f) && view.shows(g))
+                show(view, crossing.segment, false, crossing_step);
+            else if (!lights_.empty() && (view.shows(f) ? g : f).casts_shadow &&
+                     (view.shows(f) || view.shows(g)))
+                show_shadow(view, crossing.segment, lights_.front().number, shadow_step);
             if (!look()) return false;
         }
         return true;
+    }
+
+    /// A parallel view begins at the camera's plane, where it cuts faces open.
+    void near_border() {
+        if (scene_.camera.eye.w != 0) return;
+        for (const SpaceSegment& segment : cuts_by_plane(faces_, scene_.camera.depth))
+            show(eye_, segment, false, 1);
     }
 
     bool shadows(const View& view, const Shadows& shadows) {
@@ -129,60 +161,86 @@ class Finder {
             const Face& face = faces_.face(piece.face);
             const bool lit = view.volumes().facing(piece.face) == piece.facing;
             if (view.shows(face) && (lit || face.lit_from_behind))
-                show(view, piece.segment, EdgeKind::shadow, shadows.light, piece.importance);
+                show_shadow(view, piece.segment, shadows.light, piece.importance);
             if (!look()) return false;
         }
         return true;
     }
 
+    void show_shadow(const View& view, const SpaceSegment& segment, std::uint32_t light,
+                     float importance) {
+        visible_.assign({});
+        view.hide(segment, visible_);
+        for (const Interval& part : visible_.intervals())
+            add(view, segment, part, EdgeKind::shadow, static_cast<std::uint16_t>(light),
+                importance);
+    }
+
     // ---- shadows
 
-    std::vector<PointLight> lights_by_brightness() const {
-        std::vector<PointLight> lights = scene_.lights;
+    static std::vector<PointLight> lights_by_brightness(const PolygonScene& scene) {
+        std::vector<PointLight> lights;
+        std::copy_if(
+            scene.lights.begin(), scene.lights.end(), std::back_inserter(lights),
+            [](const PointLight& light) { return usable(light.position) && light.brightness > 0; });
         std::stable_sort(lights.begin(), lights.end(),
                          [](const auto& a, const auto& b) { return a.brightness > b.brightness; });
-        const float least = least_light * all_light();
+        const float least = least_light * all_of(lights);
         while (!lights.empty() &&
                (lights.size() > most_lights || !(lights.back().brightness >= least)))
             lights.pop_back();
         return lights;
     }
-    float all_light() const {
-        float sum = 0;
-        for (const PointLight& light : scene_.lights) sum += light.brightness;
-        return sum;
+    static float all_of(const std::vector<PointLight>& lights) {
+        return std::accumulate(
+            lights.begin(), lights.end(), 0.f,
+            [](float sum, const PointLight& light) { return sum + light.brightness; });
     }
 
     /// Finds the borders of the shadows that fall from one light, wherever anyone may see them.
     bool cast(const PointLight& light) {
         const ShadowVolumes volumes(faces_, hierarchy_, light.position, Viewer::light);
         shadows_.push_back({static_cast<std::uint16_t>(light.number), {}});
-        const float strength = shadow_step * light.brightness / all_light();
+        const float strength = shadow_step * light.brightness / all_of(lights_);
         const auto casts = [](const Face& face) { return face.casts_shadow; };
         for (const FaceEdges::Edge& edge : edges_.edges()) {
             if (edges_.silhouette(edge, volumes, casts))
-                cast(volumes, edges_.segment(edge), strength);
+                cast(volumes, edges_.segment(edge), !edge.regular(), strength);
             if (!look()) return false;
         }
         return true;
     }
 
-    void cast(const ShadowVolumes& volumes, const SpaceSegment& segment, float strength) {
-        IntervalSet lit;
-        lit.assign({});
-        volumes.hide(segment, lit);
-        if (lit.empty()) return;
+    void cast(const ShadowVolumes& volumes, const SpaceSegment& segment, bool doubtful,
+              float strength) {
+        lit_.assign({});
+        volumes.hide(segment, lit_);
+        if (lit_.empty()) return;
         volumes.cast(segment, backdrops_);
-        for (const auto& backdrop : backdrops_)
-            for (const Interval& rest : lit.intervals()) {
+        for (const Backdrop& backdrop : backdrops_)
+            for (const Interval& rest : lit_.intervals()) {
                 const double from = std::max(rest.from, backdrop.part.from);
                 const double to = std::min(rest.to, backdrop.part.to);
-                if (to - from <= IntervalSet::shortest) continue;
-                const SpaceSegment on_face{volumes.behind(segment, from, nearness(backdrop, from)),
-                                           volumes.behind(segment, to, nearness(backdrop, to))};
-                shadows_.back().pieces.push_back(
-                    {on_face, backdrop.face, volumes.facing(backdrop.face), strength});
+                if (to - from > IntervalSet::shortest)
+                    cast(volumes, segment, {from, to}, backdrop, doubtful, strength);
             }
+    }
+
+    void cast(const ShadowVolumes& volumes, const SpaceSegment& segment, const Interval& part,
+              const Backdrop& backdrop, bool doubtful, float strength) {
+        const auto behind = [&](double t) {
+            return volumes.behind(segment, t, nearness(backdrop, t));
+        };
+        const glm::dvec3 along = behind(part.to) - behind(part.from);
+        const auto contrast = [&](double t) {
+            return contrast_.of_light(volumes, backdrop.face, behind(t), along);
+        };
+        keep_where(part, !doubtful, contrast, [&](const Interval& kept) {
+            shadows_.back().pieces.push_back({{behind(kept.from), behind(kept.to)},
+                                              backdrop.face,
+                                              volumes.facing(backdrop.face),
+                                              strength});
+        });
     }
 
     // ---- mirrors
@@ -222,10 +280,13 @@ class Finder {
     const FlatFaces faces_;
     const FaceHierarchy hierarchy_;
     const FaceEdges edges_;
+    const Contrast contrast_;
     const View eye_;
+    const std::vector<PointLight> lights_;  // that cast shadows worth looking for
     std::vector<Crossing> crossings_;
     std::vector<Shadows> shadows_;
-    std::vector<ShadowVolumes::Backdrop> backdrops_;
+    IntervalSet visible_, lit_;
+    std::vector<Backdrop> backdrops_;
     std::vector<ImageEdge> pieces_;
     std::size_t since_look_ = 0, mirrors_left_ = most_mirrors;
 };
@@ -234,7 +295,7 @@ class Finder {
 
 void find_edges(const PolygonScene& scene, const EdgeFinding& options,
                 const std::function<bool(std::vector<ImageEdge>&& pieces)>& found) {
-    Finder(scene, options, found).run();
+    if (usable(scene.camera.eye)) Finder(scene, options, found).run();
 }
 
 }  // namespace povpreview

@@ -3,23 +3,22 @@
 
 #include <glm/geometric.hpp>
 
-#include "core/polygonal/sides.h"
-
 namespace povpreview {
 namespace {
 
-/// The points where the border of face g passes through the plane of face f; false unless it
-/// clearly does.
-bool cut(const FlatFaces& faces, std::uint32_t f, std::uint32_t g, double tolerance,
+/// The points where the border of a face passes through a plane, given by heights over it; false
+/// unless the face clearly reaches to both sides.
+template <class Height>
+bool cut(const FlatFaces& faces, std::uint32_t face, const Height& height_of,
          SpaceSegment& segment) {
-    const auto corners = faces.corners(g);
+    const auto corners = faces.corners(face);
     double low = 0, high = 0;
     int found = 0;
-    double before = faces.height(f, faces.point(corners.back()));
     glm::dvec3 from = faces.point(corners.back());
+    double before = height_of(from);
     for (const std::uint32_t corner : corners) {
         const glm::dvec3& to = faces.point(corner);
-        const double height = faces.height(f, to);
+        const double height = height_of(to);
         low = std::min(low, height);
         high = std::max(high, height);
         if ((before < 0) != (height < 0) && found < 2)
@@ -28,6 +27,8 @@ bool cut(const FlatFaces& faces, std::uint32_t f, std::uint32_t g, double tolera
         before = height;
         from = to;
     }
+    // There, and not at a corner that may be far off.
+    const double tolerance = contact * faces.scale(segment.at(.5));
     return found == 2 && low < -tolerance && high > tolerance;
 }
 
@@ -46,23 +47,35 @@ bool clip_to_face(const FlatFaces& faces, std::uint32_t f, const SpaceSegment& s
     return true;
 }
 
-bool seen(const Face& face) { return face.visible || face.reflected; }
+bool seen(const Face& face) { return face.visible || face.reflected || face.casts_shadow; }
 
 }  // namespace
 
 std::vector<Crossing> find_crossings(const FlatFaces& faces, const FaceHierarchy& hierarchy,
-                                     const glm::dvec4& eye, std::size_t most) {
+                                     std::size_t most) {
     std::vector<Crossing> crossings;
+    const auto over = [&](std::uint32_t face) {
+        return [&faces, face](const glm::dvec3& p) { return faces.height(face, p); };
+    };
     hierarchy.for_each_pair([&](std::uint32_t f, std::uint32_t g) {
         if (crossings.size() >= most || !seen(faces.face(f)) || !seen(faces.face(g))) return;
-        const double tolerance = contact * sight_distance(eye, faces[f].on, faces.extent());
         SpaceSegment line, other;
-        if (!cut(faces, g, f, tolerance, other) || !cut(faces, f, g, tolerance, line)) return;
+        if (!cut(faces, f, over(g), other) || !cut(faces, g, over(f), line)) return;
         Interval part;
         if (!clip_to_face(faces, f, line, part)) return;
         crossings.push_back({{line.at(part.from), line.at(part.to)}, f, g});
     });
     return crossings;
+}
+
+std::vector<SpaceSegment> cuts_by_plane(const FlatFaces& faces, const glm::dvec4& plane) {
+    std::vector<SpaceSegment> cuts;
+    const auto height = [&](const glm::dvec3& p) { return glm::dot(plane, glm::dvec4(p, 1)); };
+    for (std::uint32_t face = 0; face < faces.size(); ++face) {
+        SpaceSegment line;
+        if (faces.face(face).visible && cut(faces, face, height, line)) cuts.push_back(line);
+    }
+    return cuts;
 }
 
 }  // namespace povpreview

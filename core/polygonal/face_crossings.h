@@ -16,9 +16,12 @@ struct Crossing {
     std::uint32_t f, g;
 };
 
-/// All crossings of faces that are seen at all. Faces that merely touch (see `contact`, at their
-/// distance from the eye) do not cross. `most` bounds them: there is no end to those of grass.
+/// All crossings of faces that are seen or cast shadows. Faces that merely touch (see `contact`) do
+/// not cross. `most` bounds them: there is no end to those of grass.
 std::vector<Crossing> find_crossings(const FlatFaces& faces, const FaceHierarchy& hierarchy,
-                                     const glm::dvec4& eye, std::size_t most);
+                                     std::size_t most);
+
+/// Where visible faces pass through a plane, on which dot(plane, (x, y, z, 1)) = 0.
+std::vector<SpaceSegment> cuts_by_plane(const FlatFaces& faces, const glm::dvec4& plane);
 
 }  // namespace povpreview

@@ -9,10 +9,6 @@
 namespace povpreview {
 namespace {
 
-/// Faces whose normals differ by less are coplanar: an angle of .1 degrees, under which shading
-/// differs by no more than a step of 8-bit colour.
-constexpr double coplanar_sine = .0017;
-
 /// Expected steps in colour, relative to that at a silhouette: rough, they only order the edges.
 constexpr float material_step = .6f, least_crease = .05f, most_crease = .6f;
 
@@ -57,12 +53,11 @@ float FaceEdges::crease_between(const Use& f, const Use& g) const {
     const Face &p = faces_.face(f.face), &q = faces_.face(g.face);
     if (p.smooth != 0 && p.smooth == q.smooth) return 0;
     const glm::dvec3 &m = faces_[f.face].normal, &n = faces_[g.face].normal;
-    const double sine = glm::length(glm::cross(m, n));
     // Faces that run along the edge in opposite directions have normals to the same side.
     const bool unfolded = (f.forward != g.forward) == (glm::dot(m, n) > 0);
-    if (unfolded && sine < coplanar_sine) return p.material == q.material ? 0 : material_step;
+    if (unfolded && coplanar(m, n)) return p.material == q.material ? 0 : material_step;
     if (p.material != q.material) return material_step;
-    return std::clamp(static_cast<float>(sine), least_crease, most_crease);
+    return std::clamp(static_cast<float>(glm::length(glm::cross(m, n))), least_crease, most_crease);
 }
 
 }  // namespace povpreview

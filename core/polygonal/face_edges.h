@@ -22,6 +22,9 @@ class FaceEdges {
         /// How much of a step in colour to expect where surface goes on from one side of it to the
         /// other, 0 to 1; 0 inside a smooth surface and between coplanar faces of one material.
         float crease;
+
+        /// Two faces meet in it as in the edge of a solid.
+        bool regular() const { return count == 2; }
     };
     std::span<const Edge> edges() const { return edges_; }
 

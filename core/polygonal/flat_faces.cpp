@@ -13,18 +13,8 @@
 namespace povpreview {
 namespace {
 
-/// Products of three coordinates must stay finite, and so must their sums.
-constexpr double largest_coordinate = 1e60;
-/// Faces that reach farther stand for infinite planes and say nothing about the scene's size.
-/// POV-Ray sees no farther than 1e7.
-constexpr double infinite_size = 1e6;
 /// Twice a face's area against its squared diameter: less is a line, as far as numbers can tell.
 constexpr double least_area = 1e-12;
-
-bool usable(const glm::dvec3& p) {
-    return std::abs(p.x) < largest_coordinate && std::abs(p.y) < largest_coordinate &&
-           std::abs(p.z) < largest_coordinate;  // false for NaN
-}
 
 struct Hash {
     std::size_t operator()(const glm::dvec3& p) const {
@@ -35,13 +25,18 @@ struct Hash {
     }
 };
 
+/// Of a parallel view: a step of one pixel to the right is 1 / |x row| long.
+double view_width(const PolygonScene& scene) {
+    const glm::dmat4x3& m = scene.camera.to_pixels;
+    return scene.width / glm::length(glm::dvec3(m[0].x, m[1].x, m[2].x));
+}
+
 }  // namespace
 
-FlatFaces::FlatFaces(const PolygonScene& scene) : scene_(scene) {
+FlatFaces::FlatFaces(const PolygonScene& scene) : scene_(scene), width_(view_width(scene)) {
     weld();
     flats_.reserve(scene.faces.size());
     for (std::uint32_t i = 0; i < scene.faces.size(); ++i) add(i);
-    measure();
 }
 
 void FlatFaces::weld() {
@@ -92,19 +87,6 @@ bool FlatFaces::add(std::uint32_t source) {
     }
     flats_.push_back({first, count, triangle, normal / area, points_[triangle[0]], source});
     return true;
-}
-
-void FlatFaces::measure() {
-    glm::dvec3 low(INFINITY), high(-INFINITY);
-    for (const Flat& flat : flats_)
-        for (std::uint32_t i = 0; i < flat.count; ++i) {
-            const glm::dvec3& p = points_[corners_[flat.first + i]];
-            if (glm::any(glm::greaterThan(glm::abs(p), glm::dvec3(infinite_size)))) continue;
-            low = glm::min(low, p);
-            high = glm::max(high, p);
-        }
-    const double diagonal = glm::length(high - low);
-    if (std::isfinite(diagonal) && diagonal > 0) extent_ = diagonal;
 }
 
 int FlatFaces::facing(std::size_t i, const glm::dvec4& viewpoint) const {

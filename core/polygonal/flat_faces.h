@@ -13,10 +13,18 @@
 
 namespace povpreview {
 
-/// How near to a face, as a share of the distance it is seen from, a point counts as lying on it.
-/// Faces that people mean to touch differ by rounding: POV-Ray keeps the vertices of meshes in
-/// single precision (6e-8), and transforms add their own.
+/// How near to a face a point counts as lying on it, as a share of its distance from the eye (in a
+/// parallel view, of the view's width): a thousandth of a pixel or so, which nobody sees. Faces
+/// that people mean to touch differ by rounding: POV-Ray keeps the vertices of meshes in single
+/// precision (6e-8), and transforms add their own.
 inline constexpr double contact = 1e-6;
+
+/// Faces that meet at a smaller angle (.1 degrees) are coplanar: their shading differs by no more
+/// than a step of 8-bit colour.
+inline constexpr double coplanar_sine = .0017;
+inline bool coplanar(const glm::dvec3& normal, const glm::dvec3& other) {
+    return glm::length(glm::cross(normal, other)) < coplanar_sine;
+}
 
 /// The usable faces of a scene: finite, of at least three distinct corners, not a line. Points at
 /// the very same position are one.
@@ -40,8 +48,12 @@ class FlatFaces {
     }
     const glm::dvec3& point(std::uint32_t number) const { return points_[number]; }
     std::size_t points() const { return points_.size(); }
-    /// Length of the diagonal of the box around all faces but those of infinite planes.
-    double extent() const { return extent_; }
+    /// How large things look at a point: its distance from the eye, or the width of a parallel
+    /// view.
+    double scale(const glm::dvec3& p) const {
+        const glm::dvec4& eye = scene_.camera.eye;
+        return eye.w != 0 ? glm::length(p - glm::dvec3(eye)) : width_;
+    }
 
     /// Signed distance from the face's plane; of a viewpoint far away, the cosine to its normal.
     double height(std::size_t i, const glm::dvec3& p) const {
@@ -56,14 +68,13 @@ class FlatFaces {
    private:
     void weld();
     bool add(std::uint32_t source);
-    void measure();
 
     const PolygonScene& scene_;
     std::vector<std::uint32_t> welded_;  ///< point of the scene -> point here
     std::vector<glm::dvec3> points_;
     std::vector<std::uint32_t> corners_;
     std::vector<Flat> flats_;
-    double extent_ = 1;
+    double width_;  ///< of a parallel view, in units of the scene
 };
 
 }  // namespace povpreview

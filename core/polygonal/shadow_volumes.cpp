@@ -15,6 +15,9 @@ namespace {
 /// coordinates: each of its six products is rounded five times, and their sum as often.
 constexpr double determinant_error = 1e-14;
 
+/// POV-Ray sees no farther.
+constexpr double farthest_sight = 1e7;
+
 double largest(const glm::dvec3& v) {
     const glm::dvec3 a = glm::abs(v);
     return std::max({a.x, a.y, a.z});
@@ -148,8 +151,7 @@ ShadowVolumes::Ends ShadowVolumes::heights(const SpaceSegment& segment, std::siz
 }
 
 ShadowVolumes::Ends ShadowVolumes::tolerances(const SpaceSegment& segment) const {
-    return {contact * sight_distance(viewpoint_, segment.a, faces_.extent()),
-            contact * sight_distance(viewpoint_, segment.b, faces_.extent())};
+    return {contact * faces_.scale(segment.a), contact * faces_.scale(segment.b)};
 }
 
 /// Cuts `part` down to where the face, as it lies before the segment, is in front of the near
@@ -256,27 +258,33 @@ glm::dvec3 ShadowVolumes::farthest(const SpaceSegment& segment,
     return result;
 }
 
-glm::dvec3 ShadowVolumes::behind(const SpaceSegment& segment, double t, double nearness) const {
-    const glm::dvec3 p = segment.at(t), v(viewpoint_);
+glm::dvec3 ShadowVolumes::behind(const glm::dvec3& p, double nearness) const {
+    const glm::dvec3 v(viewpoint_);
     return viewpoint_.w != 0 ? v + (p - v) / nearness : p + nearness * v;
 }
 
-bool ShadowVolumes::sees(const glm::dvec3& p) const {
-    const glm::dvec3 v(viewpoint_);
-    // POV-Ray sees no farther than 1e7.
-    const glm::dvec3 from = viewpoint_.w != 0 ? v : p + v * (2e7 / glm::length(v));
-    const double tolerance = contact * sight_distance(viewpoint_, p, faces_.extent());
-    bool seen = true;
-    hierarchy_.search(SegmentMisses(from, p), p - from, [&](std::uint32_t face) {
-        const Volume& volume = volumes_[face];
-        if (!volume.blocks || -volume.facing * faces_.height(face, p) <= tolerance) return true;
+std::optional<ShadowVolumes::Sight> ShadowVolumes::first_face(const glm::dvec3& through) const {
+    const glm::dvec3 v(viewpoint_), line = glm::normalize(sight_line(viewpoint_, through));
+    const glm::dvec3 from = viewpoint_.w != 0 ? v : through - farthest_sight * line;
+    const auto hits = [&](std::uint32_t face) {
         const auto count = static_cast<std::uint32_t>(faces_.corners(face).size());
         for (std::uint32_t i = 0; i < count; ++i)
-            if (side_of(face, i, p) <= 0) return true;
-        seen = false;
-        return false;
+            if (side_of(face, i, through) <= 0) return false;
+        return true;
+    };
+    std::optional<Sight> first;
+    const SegmentMisses misses(from, through + farthest_sight * line);
+    hierarchy_.search(misses, line, [&](std::uint32_t face) {
+        const Volume& volume = volumes_[face];
+        if (!volume.blocks || !hits(face)) return true;
+        const double height = volume.facing * faces_.height(face, through);
+        const double nearness = viewpoint_.w - height / volume.height;
+        if (first && first->nearness >= nearness) return true;
+        if (near_ && near_->height(behind(through, nearness)) <= 0) return true;
+        first = Sight{face, nearness};
+        return true;
     });
-    return seen;
+    return first;
 }
 
 }  // namespace povpreview

@@ -77,7 +77,9 @@ class ShadowVolumes {
     /// before it that let light through.
     void cast(const SpaceSegment& segment, std::vector<Backdrop>& backdrops) const;
     /// The place behind the segment's point at t.
-    glm::dvec3 behind(const SpaceSegment& segment, double t, double nearness) const;
+    glm::dvec3 behind(const SpaceSegment& segment, double t, double nearness) const {
+        return behind(segment.at(t), nearness);
+    }
 
     /// Positive where a point is on the inner side of the plane through the viewpoint and an edge
     /// of a face, from its corner `edge` to the next; the sign is exact for points of the scene.
@@ -85,8 +87,13 @@ class ShadowVolumes {
     double side_of(std::size_t face, std::uint32_t edge, const glm::dvec3& p,
                    std::uint32_t point = SpaceSegment::constructed) const;
 
-    /// Whether light passes from the viewpoint to a point.
-    bool sees(const glm::dvec3& p) const;
+    /// What is met first on the line of sight through a point.
+    struct Sight {
+        std::uint32_t face;
+        double nearness;  ///< as Backdrop's: 1 at the point itself, from far away 0
+    };
+    std::optional<Sight> first_face(const glm::dvec3& through) const;
+    glm::dvec3 behind(const glm::dvec3& p, double nearness) const;
 
    private:
     struct Volume {

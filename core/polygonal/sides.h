@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
@@ -21,9 +22,15 @@ inline glm::dvec3 sight_line(const glm::dvec4& viewpoint, const glm::dvec3& p) {
     return viewpoint.w * p - glm::dvec3(viewpoint);
 }
 
-/// Distance from the viewpoint; from one that is far away, `beyond`.
-inline double sight_distance(const glm::dvec4& viewpoint, const glm::dvec3& p, double beyond) {
-    return viewpoint.w != 0 ? glm::length(sight_line(viewpoint, p)) : beyond;
+/// Whether coordinates can be computed with: no NaN, no infinity, and small enough for products of
+/// three of them.
+inline bool usable(const glm::dvec3& p) {
+    constexpr double largest = 1e60;
+    return std::abs(p.x) < largest && std::abs(p.y) < largest && std::abs(p.z) < largest;
+}
+/// The same of a viewpoint, which must be a point or have a direction.
+inline bool usable(const glm::dvec4& v) {
+    return usable(glm::dvec3(v)) && (v.w == 1 || (v.w == 0 && glm::dvec3(v) != glm::dvec3(0)));
 }
 
 }  // namespace povpreview

@@ -42,8 +42,7 @@ std::size_t View::window_planes() const { return before_ ? 1 + faces_.corners(mi
 double View::inside(std::size_t plane, const glm::dvec3& p) const {
     if (before_) {
         if (plane > 0) return volumes_.side_of(mirror_, static_cast<std::uint32_t>(plane - 1), p);
-        return volumes_.near()->height(p) -
-               contact * sight_distance(volumes_.viewpoint(), p, faces_.extent());
+        return volumes_.near()->height(p) - contact * faces_.scale(p);
     }
     const glm::dvec4 h(p, 1);
     const glm::dvec3 pixel = scene_.camera.to_pixels * h;
@@ -83,20 +82,23 @@ glm::dvec2 View::to_image(const glm::dvec3& p) const {
                       glm::dvec2(scene_.width, scene_.height));
 }
 
-void View::show(const SpaceSegment& segment,
-                const std::function<void(glm::dvec2, glm::dvec2)>& shown) const {
+void View::hide(const SpaceSegment& segment, IntervalSet& left) const {
     Interval part;
-    if (!clip_to_window(segment, part)) return;
-    IntervalSet left;
-    left.assign(part);
+    if (!clip_to_window(segment, part)) return left.subtract({0, 1});
+    left.subtract({0, part.from});
+    left.subtract({part.to, 1});
     volumes_.hide(segment, left);
-    for (const Interval& rest : left.intervals()) {
-        const glm::dvec3 a = segment.at(rest.from), b = segment.at(rest.to);
-        if (before_)
-            before_->show({on_mirror(a), on_mirror(b)}, shown);
-        else
-            shown(to_image(a), to_image(b));
-    }
+}
+
+void View::show(const glm::dvec3& a, const glm::dvec3& b,
+                const std::function<void(glm::dvec2, glm::dvec2)>& shown) const {
+    if (!before_) return shown(to_image(a), to_image(b));
+    const SpaceSegment segment{on_mirror(a), on_mirror(b)};
+    IntervalSet left;
+    left.assign({});
+    before_->hide(segment, left);
+    for (const Interval& part : left.intervals())
+        before_->show(segment.at(part.from), segment.at(part.to), shown);
 }
 
 /// Clips the face by the window's planes, one after the other (Sutherland and Hodgman 1974).

@@ -38,8 +38,11 @@ class View {
     /// Whether any of a segment is inside the window, hidden or not; cuts `part` down to that.
     bool clip_to_window(const SpaceSegment& segment, Interval& part) const;
 
-    /// Calls shown(from, to), in pixels, for every part of a segment that is seen in the image.
-    void show(const SpaceSegment& segment,
+    /// Takes off `left`, a part of a segment, what is not seen in this view.
+    void hide(const SpaceSegment& segment, IntervalSet& left) const;
+    /// Calls shown(from, to), in pixels, for what the image shows of a segment that is seen in this
+    /// view.
+    void show(const glm::dvec3& a, const glm::dvec3& b,
               const std::function<void(glm::dvec2, glm::dvec2)>& shown) const;
 
     /// Area in the image of a face, in square pixels, were it not hidden.

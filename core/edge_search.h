@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <atomic>
+#include <condition_variable>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+#include "core/image_edge.h"
+#include "core/polygonal/edge_finding.h"
+
+namespace povpreview {
+
+/// Finds a scene's edges in a thread of its own, while the first samples are traced.
+///
+/// Where that is a matter of a moment, the edges come all at once, as the fewest and longest chains.
+/// Else they come in parts, the most important ones first; each part takes as long again as all
+/// before it, so that chains of different parts, which cannot be joined, stay few.
+class EdgeSearch {
+   public:
+    EdgeSearch(PolygonScene scene, const EdgeFinding& options);
+    /// Ends the search wherever it is.
+    ~EdgeSearch();
+    EdgeSearch(const EdgeSearch&) = delete;
+    EdgeSearch& operator=(const EdgeSearch&) = delete;
+
+    /// The chains that have come since the last call, heaviest first.
+    std::vector<EdgeChain> take();
+    /// Nothing more will come than what `take` gives now.
+    bool finished() const { return finished_; }
+    /// Waits for the search to finish.
+    void wait();
+
+   private:
+    void run();
+    void hand_over();
+
+    const PolygonScene scene_;
+    const EdgeFinding options_;
+    std::vector<ImageEdge> pieces_;  // the searching thread's own
+
+    std::atomic<bool> stop_{false}, finished_{false};
+    std::mutex mutex_;
+    std::condition_variable changed_;
+    std::vector<EdgeChain> chains_;
+    std::thread thread_;  // last: begins when all else is there
+};
+
+}  // namespace povpreview
