@@ -13,23 +13,6 @@ namespace povpreview {
 
 using Spoke = Triangulation::Spoke;
 
-namespace {
-
-/// The sector that holds the face after spoke `spoke`.
-const Sector& sector_of(const std::vector<Sector>& sectors, std::size_t spoke, std::size_t spokes) {
-    for (const Sector& sector : sectors)
-        if ((spoke + spokes - sector.first) % spokes < sector.faces) return sector;
-    return sectors.back();
-}
-
-std::size_t find_spoke(const std::vector<Spoke>& fan, VertexId to) {
-    std::size_t i = 0;
-    while (i < fan.size() && fan[i].to != to) ++i;
-    return i;
-}
-
-}  // namespace
-
 Mesh::Mesh(int width, int height)
     : width_(width),
       height_(height),
@@ -82,7 +65,12 @@ void Mesh::update_sides(VertexId vertex) {
     sides_[index].clear();
     for (const Sector& sector : sectors) {
         const Wedge w = wedge(vertex, fan, sector);
-        sides_[index].push_back({w, in_wedge(vertex, w)});
+        const auto bound = [&](std::size_t spoke) {
+            return fan[spoke].constrained ? fan[spoke].to : VertexId{};
+        };
+        sides_[index].push_back({w, bound(sector.first),
+                                 bound((sector.first + sector.faces) % fan.size()),
+                                 in_wedge(vertex, w)});
     }
 }
 
@@ -127,98 +115,114 @@ SampleId Mesh::in_wedge(VertexId vertex, const Wedge& wedge) const {
     return {};
 }
 
-SampleId Mesh::corner(VertexId at, VertexId to, bool left) const {
+std::size_t Mesh::sides(VertexId vertex) const {
+    const std::uint32_t index = sides_index_[vertex.value];
+    return index == none ? 1 : sides_[index].size();
+}
+
+std::optional<std::size_t> Mesh::side_at(VertexId at, VertexId to, bool left) const {
     const std::uint32_t index = sides_index_[at.value];
-    if (index == none) return first_[at.value];
-    const glm::dvec2 p = triangulation_.position(to);
-    for (const Side& side : sides_[index]) {
-        const Wedge& w = side.wedge;
-        if (w.whole || w.contains(p)) return side.sample;
-        // An edge along a sector's own constraint belongs to it on one side only.
-        if (w.along(left ? w.start : w.end, p)) return side.sample;
+    if (index == none) return 0;
+    const std::vector<Side>& sides = sides_[index];
+    if (sides.size() == 1 && sides[0].wedge.whole) return 0;
+    // An edge along a sector's own constraint belongs to it on one side only.
+    bool bounds = false;
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+        if ((left ? sides[i].start : sides[i].end) == to) return i;
+        bounds = bounds || (left ? sides[i].end : sides[i].start) == to;
     }
-    return {};  // outside the image
+    if (bounds) return std::nullopt;
+    const glm::dvec2 p = triangulation_.position(to);
+    const bool border = triangulation_.on_border(at);
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+        const Wedge& w = sides[i].wedge;
+        if (w.contains(p) || (border && w.along(left ? w.start : w.end, p))) return i;
+    }
+    return std::nullopt;
+}
+
+SampleId Mesh::side_sample(VertexId vertex, std::size_t side) const {
+    const std::uint32_t index = sides_index_[vertex.value];
+    return index == none ? first_[vertex.value] : sides_[index][side].sample;
+}
+
+SampleId Mesh::corner(VertexId at, VertexId to, bool left) const {
+    const auto side = side_at(at, to, left);
+    return side ? side_sample(at, *side) : SampleId{};
 }
 
 std::optional<float> Mesh::contrast(VertexId a, VertexId b) const {
     std::optional<float> greatest;
+    // Only where both ends are on constraints may the edge itself be one, or lie on the border.
+    const bool both_sides = triangulation_.on_constraint(a) && triangulation_.on_constraint(b);
     const auto side = [&](bool left) {
-        const SampleId p = corner(a, b, left), q = corner(b, a, !left);
-        if (!p.valid() || !q.valid()) return;
-        const VertexSample &s = sample(p), &t = sample(q);
-        if (s.state == VertexSample::State::promised || t.state == VertexSample::State::promised)
-            return;
+        const auto at_a = side_at(a, b, left), at_b = side_at(b, a, !left);
+        if (!at_a || !at_b) return;
+        const SampleId p = side_sample(a, *at_a), q = side_sample(b, *at_b);
+        for (const auto& [vertex, id] : {std::pair{a, p}, std::pair{b, q}}) {
+            // A vertex off the constraints is there because of its sample.
+            if (!id.valid() && !triangulation_.on_constraint(vertex)) return;
+            if (id.valid() && sample(id).state == VertexSample::State::promised) return;
+        }
         // A failed sample says nothing; it must not keep its surroundings from being refined.
-        const bool both = known(p) && known(q);
-        greatest =
-            std::max(greatest.value_or(0), both ? colour_distance(s.encoded, t.encoded) : 0.f);
+        float distance = 0;
+        if (known(p) && known(q))
+            distance = colour_distance(sample(p).encoded, sample(q).encoded);
+        else if (!p.valid() && !q.valid() && !triangulation_.labels().find(a, b))
+            distance = unknown_distance;
+        greatest = std::max(greatest.value_or(0), distance);
     };
     side(true);
-    // Only where both ends are on constraints may the edge itself be one, or lie on the border.
-    if (!greatest || (triangulation_.on_constraint(a) && triangulation_.on_constraint(b)))
-        side(false);
+    if (!greatest || both_sides) side(false);
     return greatest;
 }
 
-bool Mesh::mean_nearby(VertexId at, VertexId to, int depth, glm::vec3& mean) const {
-    std::vector<Spoke> fan;
-    std::vector<Sector> sectors;
-    triangulation_.fan(at, fan);
-    if (triangulation_.on_constraint(at))
-        find_sectors(fan, sectors);
-    else
-        sectors.push_back({0, fan.back().face ? fan.size() : fan.size() - 1, true});
-    const std::size_t spoke = find_spoke(fan, to);
-    if (spoke == fan.size()) return false;
-    const Sector sector = sector_of(sectors, spoke, fan.size());
-    const glm::dvec2 centre = triangulation_.position(at);
-    glm::vec3 sum(0);
-    float weights = 0;
-    for (std::size_t i = 0; i <= sector.faces; ++i) {
-        // Of each neighbour, the corner that lies in this sector: on the last spoke it is the one
-        // to the left seen from there, on the others the one to the right.
-        const VertexId neighbour = fan[(sector.first + i) % fan.size()].to;
-        const bool last = i == sector.faces;
-        const VertexSample* sample = known(corner(neighbour, at, last));
-        glm::vec3 colour;
-        if (sample) {
-            colour = sample->colour;
-        } else if (depth < 2) {
-            const VertexId previous =
-                last ? at : fan[(sector.first + i + 1) % fan.size()].to;  // its face's other vertex
-            if (!mean_nearby(neighbour, last ? at : previous, depth + 1, colour)) continue;
-        } else {
-            continue;
+void Mesh::missing_sides(VertexId vertex, std::vector<MissingSide>& missing) const {
+    missing.clear();
+    const std::uint32_t index = sides_index_[vertex.value];
+    if (index == none) return;
+    const std::vector<Side>& sides = sides_[index];
+    const auto is_missing = [](const Side& s) { return !s.sample.valid() && !s.thin; };
+    if (std::none_of(sides.begin(), sides.end(), is_missing)) return;
+    thread_local std::vector<Spoke> fan;
+    thread_local std::vector<Sector> sectors;
+    triangulation_.fan(vertex, fan);
+    find_sectors(fan, sectors);
+    const glm::dvec2 v = triangulation_.position(vertex);
+    for (const Sector& sector : sectors) {
+        const auto side = side_at(vertex, fan[sector.first].to, true);
+        if (!side || !is_missing(sides[*side])) continue;
+        MissingSide entry{*side, 0, std::nullopt};
+        const VertexSample* first = nullptr;
+        glm::dvec2 before{};
+        for (std::size_t i = 0; i <= sector.faces; ++i) {
+            const VertexId neighbour = fan[(sector.first + i) % fan.size()].to;
+            const glm::dvec2 u = triangulation_.position(neighbour) - v;
+            if (i > 0) entry.area += (before.x * u.y - before.y * u.x) / 2;
+            before = u;
+            // Of each neighbour, the corner in this sector: to the left as seen from the last one.
+            const VertexSample* sample = known(corner(neighbour, vertex, i == sector.faces));
+            if (!sample) continue;
+            if (!first) first = sample;
+            entry.spread = std::max(entry.spread.value_or(0),
+                                    colour_distance(first->encoded, sample->encoded));
         }
-        const float weight =
-            1 / static_cast<float>(1e-6 + glm::length(triangulation_.position(neighbour) - centre));
-        sum += weight * colour;
-        weights += weight;
+        missing.push_back(entry);
     }
-    if (weights <= 0) return false;
-    mean = sum / weights;
-    return true;
 }
 
-glm::vec3 Mesh::corner_colour(VertexId at, VertexId to) const {
-    if (const VertexSample* sample = known(corner(at, to, true))) return sample->colour;
-    glm::vec3 mean;
-    if (mean_nearby(at, to, 1, mean)) return mean;
-    for (SampleId id = first_[at.value]; id.valid(); id = samples_[id.value].next)
-        if (const VertexSample* sample = known(id)) return sample->colour;
-    return count_ ? glm::vec3(sum_ / static_cast<double>(count_)) : glm::vec3(0);
-}
-
-void Mesh::missing_positions(VertexId vertex, std::vector<glm::dvec2>& positions,
-                             double scale) const {
+std::optional<SampleId> Mesh::promise_side(VertexId vertex, std::size_t side) {
     std::vector<Spoke> fan;
     std::vector<Sector> sectors;
     triangulation_.fan(vertex, fan);
     find_sectors(fan, sectors);
-    positions.clear();
-    for (const Sector& sector : sectors)
-        if (!in_wedge(vertex, wedge(vertex, fan, sector)).valid())
-            if (const auto p = side_position(vertex, fan, sector, scale)) positions.push_back(*p);
+    for (const Sector& sector : sectors) {
+        if (side_at(vertex, fan[sector.first].to, true) != side) continue;
+        if (const auto position = side_position(vertex, fan, sector))
+            return promise(vertex, *position);
+    }
+    sides_[sides_index_[vertex.value]][side].thin = true;
+    return std::nullopt;
 }
 
 /// Along the bisector, so far that the clearance is kept from both sides:
@@ -228,11 +232,11 @@ void Mesh::missing_positions(VertexId vertex, std::vector<glm::dvec2>& positions
 ///          / .            but not beyond the limit, and no more than half way to a constraint or
 ///         v --------      to the border ahead.
 std::optional<glm::dvec2> Mesh::side_position(VertexId vertex, const std::vector<Spoke>& fan,
-                                              const Sector& sector, double scale) const {
+                                              const Sector& sector) const {
     const Wedge w = wedge(vertex, fan, sector);
     const double half = std::min(w.angle() / 2, std::numbers::pi / 2);
     const glm::dvec2 direction = w.bisector();
-    double offset = std::min(scale * side_clearance / std::sin(half), side_offset_limit);
+    double offset = std::min(side_clearance / std::sin(half), side_offset_limit);
     for (std::size_t i = 0; i < sector.faces; ++i) {
         const VertexId p = fan[(sector.first + i) % fan.size()].to;
         const VertexId q = fan[(sector.first + i + 1) % fan.size()].to;
@@ -251,31 +255,6 @@ std::optional<glm::dvec2> Mesh::side_position(VertexId vertex, const std::vector
     const glm::dvec2 p = w.centre + offset * direction;
     if (!w.contains(p) || p.x < 0 || p.y < 0 || p.x > width_ || p.y > height_) return std::nullopt;
     return p;
-}
-
-void Mesh::draw(Picture& picture) const {
-    picture.corners.reserve(picture.corners.size() + 3 * triangulation_.faces());
-    // Most corners are those of plain vertices: gathered first, each is one look into memory.
-    std::vector<Picture::Corner> plain(first_.size());
-    std::vector<std::uint8_t> is_plain(first_.size());
-    for (std::uint32_t i = 0; i < first_.size(); ++i) {
-        const VertexSample* sample = known(first_[i]);
-        is_plain[i] = sample && sides_index_[i] == none;
-        if (is_plain[i])
-            plain[i] = {glm::vec2(triangulation_.position(VertexId{i})), sample->colour};
-    }
-    const auto add = [&](VertexId at, VertexId to) {
-        if (is_plain[at.value])
-            picture.corners.push_back(plain[at.value]);
-        else
-            picture.corners.push_back(
-                {glm::vec2(triangulation_.position(at)), corner_colour(at, to)});
-    };
-    triangulation_.for_each_face([&](VertexId a, VertexId b, VertexId c) {
-        add(a, b);
-        add(b, c);
-        add(c, a);
-    });
 }
 
 void Mesh::draw_edges(Picture& picture, bool constraints_only) const {

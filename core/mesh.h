@@ -62,23 +62,44 @@ class Mesh {
     SampleId first_sample(VertexId vertex) const { return first_[vertex.value]; }
     std::size_t samples() const { return samples_.size(); }
 
-    /// Where samples are to be asked for at a vertex on a constraint: one position in each sector
-    /// that has none, truly inside it, `scale` times as far off the constraints as usual. A sector
-    /// too thin to hold a point is left out.
-    void missing_positions(VertexId vertex, std::vector<glm::dvec2>& positions,
-                           double scale = 1) const;
+    /// A sector of a vertex on a constraint for which no sample was ever asked: its corners take
+    /// their colour from their neighbours on this side.
+    struct MissingSide {
+        std::size_t side;
+        double area;  ///< of the sector's faces, square pixels
+        /// The greatest colour_distance() from one neighbour on this side to the others; nothing
+        /// where none of them is known.
+        std::optional<float> spread;
+    };
+    void missing_sides(VertexId vertex, std::vector<MissingSide>& missing) const;
+    /// Asks for a missing side's sample, truly inside the sector; nothing where it is too thin to
+    /// hold a point, which ends its missing.
+    std::optional<SampleId> promise_side(VertexId vertex, std::size_t side);
 
+    /// A vertex's corners that share a colour are a side: one for each sector, or a single one
+    /// where the vertex is off the constraints.
+    std::size_t sides(VertexId vertex) const;
+    /// The side of the corner at `at` of the face to the left (right) of the edge at-to; nothing
+    /// outside the image.
+    std::optional<std::size_t> side_at(VertexId at, VertexId to, bool left) const;
+    /// A side's sample; invalid where there is none.
+    SampleId side_sample(VertexId vertex, std::size_t side) const;
     /// The sample for the corner at `at` of the face to the left (right) of the edge at-to; invalid
     /// where that sector has none.
     SampleId corner(VertexId at, VertexId to, bool left) const;
 
     /// The largest colour_distance() between the ends of an edge, over its two sides where it is
-    /// constrained; nothing where an end is not known on any side.
+    /// constrained. An end that is not known and not asked for says nothing: between two of them
+    /// off the constraints it is unknown_distance, else 0. Nothing where no side can tell before an
+    /// answer comes.
     std::optional<float> contrast(VertexId a, VertexId b) const;
+    /// What is expected between colours of which nothing is known: two surfaces side by side.
+    static constexpr float unknown_distance = .02f;
 
-    /// Linear colour of the corner at `at` in the face to the left of at-to; where its sector knows
-    /// none, a mean of the nearest that are known on this side of the constraints.
-    glm::vec3 corner_colour(VertexId at, VertexId to) const;
+    /// The mean of all known samples, linear.
+    glm::vec3 mean_colour() const {
+        return count_ ? glm::vec3(sum_ / static_cast<double>(count_)) : glm::vec3(0);
+    }
 
     /// Appends the faces' corners to the picture.
     void draw(Picture& picture) const;
@@ -92,7 +113,9 @@ class Mesh {
     /// A sector of a vertex on a constraint, kept because fans there are long and asked for often.
     struct Side {
         Wedge wedge;
-        SampleId sample;  ///< invalid where there is none
+        VertexId start, end;  ///< the constraints it lies between; invalid: the border
+        SampleId sample;      ///< invalid where there is none
+        bool thin = false;    ///< too thin to hold a sample
     };
     void update_sides(VertexId vertex);
     void update_sides(std::span<const VertexId> touched);
@@ -100,10 +123,9 @@ class Mesh {
     SampleId in_wedge(VertexId vertex, const Wedge& wedge) const;
     Wedge wedge(VertexId vertex, const std::vector<Triangulation::Spoke>& fan,
                 const Sector& sector) const;
-    bool mean_nearby(VertexId at, VertexId to, int depth, glm::vec3& mean) const;
     std::optional<glm::dvec2> side_position(VertexId vertex,
                                             const std::vector<Triangulation::Spoke>& fan,
-                                            const Sector& sector, double scale) const;
+                                            const Sector& sector) const;
 
     int width_, height_;
     Triangulation triangulation_;

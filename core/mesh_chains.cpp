@@ -52,10 +52,7 @@ ChainInsertion MeshPreviewer::begin_insertion() {
 }
 
 void MeshPreviewer::finish_insertion(ChainInsertion& insertion) {
-    const std::vector<VertexId> touched = insertion.finish();
-    for (VertexId v : touched)
-        if (mesh_.triangulation().on_constraint(v)) promise_sides(v);
-    for (VertexId v : touched) queue_edges(v);
+    for (VertexId v : insertion.finish()) queue_edges(v);
 }
 
 }  // namespace povpreview

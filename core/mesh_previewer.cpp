@@ -113,9 +113,9 @@ std::optional<Request> MeshPreviewer::request(Pending pending) {
 std::optional<Request> MeshPreviewer::next() {
     if (grid_asked_ < grid_.size())
         return request({Pending::Use::vertex, grid_[grid_asked_++], recent_});
-    if (!sides_.empty()) {
-        const Pending side = sides_.front();
-        sides_.pop_front();
+    if (!retries_.empty()) {
+        const Pending side = retries_.front();
+        retries_.pop_front();
         return request(side);
     }
     insert_chains();
@@ -151,25 +151,43 @@ std::optional<Request> MeshPreviewer::refine() {
             if (4 * vertices_pending_ > t.vertices()) return std::nullopt;
             break;
         }
-        const auto [old_weight, a, b] = *entry;
-        Triangulation::Edge edge{};
-        if (!t.find_edge(a, b, edge) || !refinable(a, b, edge.constrained)) continue;
-        const auto now = weight(a, b);
-        if (!now) continue;  // comes back when its samples do
-        if (*now < old_weight * (1 - weight_rounding)) {
-            heap_.push(a, b, *now);
-            continue;
-        }
-        consider_outline(a, b);
-        if (edge.constrained) {
-            if (auto wanted = split_constraint(a, b)) return wanted;
-            continue;
-        }
-        const Pixel pixel = squares_.pixel_at((t.position(a) + t.position(b)) / 2.);
-        return request({Pending::Use::vertex, pixel, a});
+        if (auto wanted = entry->a == entry->b ? refine_side(*entry) : refine(*entry))
+            return wanted;
     }
     start_filling();
     return std::nullopt;
+}
+
+std::optional<Request> MeshPreviewer::refine(const RefinementHeap::Entry& entry) {
+    const auto [old_weight, a, b] = entry;
+    const Triangulation& t = mesh_.triangulation();
+    Triangulation::Edge edge{};
+    if (!t.find_edge(a, b, edge) || !refinable(a, b, edge.constrained)) return std::nullopt;
+    const auto now = weight(a, b);
+    if (!now) return std::nullopt;  // comes back when its samples do
+    if (*now < old_weight * (1 - weight_rounding)) {
+        heap_.push(a, b, *now);
+        return std::nullopt;
+    }
+    consider_outline(a, b);
+    if (edge.constrained) return split_constraint(a, b);
+    const Pixel pixel = squares_.pixel_at((t.position(a) + t.position(b)) / 2.);
+    return request({Pending::Use::vertex, pixel, a});
+}
+
+/// A vertex's missing sides stand in the heap as an edge from the vertex to itself.
+std::optional<Request> MeshPreviewer::refine_side(const RefinementHeap::Entry& entry) {
+    const auto [old_weight, v, same] = entry;
+    if (!mesh_.triangulation().alive(v)) return std::nullopt;
+    const auto side = heaviest_side(v);
+    if (!side) return std::nullopt;
+    if (side->weight < old_weight * (1 - weight_rounding)) {
+        heap_.push(v, v, side->weight);
+        return std::nullopt;
+    }
+    const auto wanted = ask_side(v, side->side, Pending::any);
+    queue_side(v);  // the others
+    return wanted;
 }
 
 /// Whether an edge leaves anything to sample: the pixel in its middle is not asked for yet.
@@ -257,6 +275,12 @@ void MeshPreviewer::queue_edges(VertexId vertex, VertexId except) {
     for (const Spoke& spoke : fan)
         if (spoke.to != except && refinable(vertex, spoke.to, spoke.constrained))
             if (const auto w = weight(vertex, spoke.to)) heap_.push(vertex, spoke.to, *w);
+    queue_side(vertex);
+    for (const Spoke& spoke : fan) queue_side(spoke.to);
+}
+
+void MeshPreviewer::queue_side(VertexId vertex) {
+    if (const auto side = heaviest_side(vertex)) heap_.push(vertex, vertex, side->weight);
 }
 
 /// Orders the squares that are left by how much a traced pixel may be expected to mend there.
@@ -350,17 +374,23 @@ std::string MeshPreviewer::validate() const {
     for (const auto& entry : heap_.entries()) entries.push_back({{entry.a, entry.b}, entry.weight});
     std::sort(entries.begin(), entries.end());
     std::string fault;
-    mesh_.triangulation().for_each_edge([&](VertexId a, VertexId b, bool constrained) {
-        if (!fault.empty() || !refinable(a, b, constrained)) return;
-        const auto now = weight(a, b);
-        if (!now) return;
+    const auto require = [&](VertexId a, VertexId b, float now) {
         const std::pair<VertexId, VertexId> edge{std::min(a, b), std::max(a, b)};
         auto it = std::upper_bound(entries.begin(), entries.end(), std::pair{edge, INFINITY});
         if (it == entries.begin() || (--it)->first != edge ||
-            it->second < *now * (1 - weight_rounding))
+            it->second < now * (1 - weight_rounding))
             fault =
                 "the heap misses edge " + std::to_string(a.value) + "-" + std::to_string(b.value);
+    };
+    const Triangulation& t = mesh_.triangulation();
+    t.for_each_edge([&](VertexId a, VertexId b, bool constrained) {
+        if (!fault.empty() || !refinable(a, b, constrained)) return;
+        if (const auto now = weight(a, b)) require(a, b, *now);
     });
+    for (std::uint32_t i = 0; i < t.vertex_ids() && fault.empty(); ++i)
+        if (t.alive(VertexId{i}))
+            if (const auto side = heaviest_side(VertexId{i}))
+                require(VertexId{i}, VertexId{i}, side->weight);
     return fault;
 }
 

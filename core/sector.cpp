@@ -39,14 +39,20 @@ void find_sectors(const std::vector<Triangulation::Spoke>& fan, std::vector<Sect
     }
 }
 
+Wedge::Wedge(glm::dvec2 from, glm::dvec2 first, glm::dvec2 last, bool all_around)
+    : centre(from),
+      start(first),
+      end(last),
+      whole(all_around),
+      turn(all_around ? 0 : orientation(from, first, last)) {}
+
 bool Wedge::contains(glm::dvec2 p) const {
     if (whole) return true;
     const bool after_start = orientation(centre, start, p) > 0;
-    const bool before_end = orientation(centre, p, end) > 0;
-    const int turn = orientation(centre, start, end);
-    if (turn > 0) return after_start && before_end;
-    if (turn < 0) return after_start || before_end;
-    return after_start;  // a half plane
+    if (turn == 0) return after_start;  // a half plane
+    // Less than that or more.
+    if (after_start != (turn > 0)) return after_start;
+    return orientation(centre, p, end) > 0;
 }
 
 bool Wedge::along(glm::dvec2 ray, glm::dvec2 p) const {
@@ -57,7 +63,6 @@ double Wedge::angle() const {
     if (whole) return 2 * std::numbers::pi;
     const glm::dvec2 u = start - centre, v = end - centre;
     const double angle = std::atan2(u.x * v.y - u.y * v.x, glm::dot(u, v));
-    const int turn = orientation(centre, start, end);
     if (turn == 0) return std::numbers::pi;
     return turn > 0 ? std::abs(angle) : 2 * std::numbers::pi - std::abs(angle);
 }

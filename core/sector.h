@@ -29,8 +29,11 @@ void find_sectors(const std::vector<Triangulation::Spoke>& fan, std::vector<Sect
 
 /// The wedge that a sector fills: from the ray centre-start counter-clockwise to centre-end.
 struct Wedge {
+    Wedge(glm::dvec2 from, glm::dvec2 first, glm::dvec2 last, bool all_around);
+
     glm::dvec2 centre, start, end;
     bool whole;
+    int turn;  ///< orientation(centre, start, end)
 
     /// Exactly decided; a point on one of the rays is not inside.
     bool contains(glm::dvec2 p) const;

@@ -11,6 +11,7 @@
 #include <random>
 
 #include "core/chain_insertion.h"
+#include "core/corner_colours.h"
 
 namespace povpreview {
 namespace {
@@ -27,12 +28,14 @@ VertexId add(Mesh& mesh, dvec2 p, vec3 colour) {
 /// Promises and answers every sample that is missing around constraints, by a function.
 template <class Colour>
 void answer_sides(Mesh& mesh, Colour colour) {
-    std::vector<dvec2> positions;
+    std::vector<Mesh::MissingSide> missing;
     for (std::uint32_t i = 0; i < mesh.triangulation().vertex_ids(); ++i) {
         const VertexId v{i};
-        if (!mesh.triangulation().alive(v) || !mesh.triangulation().on_constraint(v)) continue;
-        mesh.missing_positions(v, positions);
-        for (dvec2 p : positions) mesh.answer(mesh.promise(v, p), colour(p), 1);
+        if (!mesh.triangulation().alive(v)) continue;
+        mesh.missing_sides(v, missing);
+        for (const Mesh::MissingSide& side : missing)
+            if (const auto sample = mesh.promise_side(v, side.side))
+                mesh.answer(*sample, colour(mesh.sample(*sample).position), 1);
     }
 }
 
@@ -73,12 +76,13 @@ TEST(Mesh, ValuesJumpAcrossAConstraintAndNowhereElse) {
     mesh.constrain(a, b);
     answer_sides(mesh, truth);
     ASSERT_EQ(mesh.validate(), "");
+    const CornerColours colours(mesh);
     mesh.triangulation().for_each_face([&](VertexId p, VertexId q, VertexId r) {
         const auto& t = mesh.triangulation();
         const vec3 colour = truth((t.position(p) + t.position(q) + t.position(r)) / 3.);
-        EXPECT_EQ(mesh.corner_colour(p, q), colour);
-        EXPECT_EQ(mesh.corner_colour(q, r), colour);
-        EXPECT_EQ(mesh.corner_colour(r, p), colour);
+        EXPECT_EQ(colours.at(p, q), colour);
+        EXPECT_EQ(colours.at(q, r), colour);
+        EXPECT_EQ(colours.at(r, p), colour);
     });
     EXPECT_FLOAT_EQ(mesh.contrast(a, b).value(), 0) << "each side is of one colour";
 }
@@ -91,6 +95,7 @@ TEST(Mesh, UnknownCornersNeverTakeColourFromAcross) {
     const VertexId bottom = mesh.insert({20, 40}, VertexId{0}).vertex;
     mesh.constrain(top, bottom);
     const VertexId middle = mesh.split(top, bottom, {20, 20}).vertex;
+    const CornerColours colours(mesh);
     for (VertexId v : {top, middle, bottom}) {
         std::vector<Triangulation::Spoke> fan;
         mesh.triangulation().fan(v, fan);
@@ -101,8 +106,7 @@ TEST(Mesh, UnknownCornersNeverTakeColourFromAcross) {
                 (mesh.triangulation().position(v) + mesh.triangulation().position(fan[i].to) +
                  mesh.triangulation().position(next)) /
                 3.;
-            EXPECT_EQ(mesh.corner_colour(v, fan[i].to),
-                      centre.x < 20 ? vec3(1, 0, 0) : vec3(0, 0, 1));
+            EXPECT_EQ(colours.at(v, fan[i].to), centre.x < 20 ? vec3(1, 0, 0) : vec3(0, 0, 1));
         }
     }
 }
