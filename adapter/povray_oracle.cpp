@@ -22,6 +22,9 @@ constexpr int receives_in_a_row = 16;
 /// fill memory.
 constexpr std::size_t outstanding_limit = std::size_t{1} << 20;
 
+/// Points, corners or polygons of a scene: ten times what the tracer sends at most.
+constexpr std::size_t geometry_limit = std::size_t{1} << 24;
+
 /// POV-Ray's message, with its place if it does not name it itself.
 std::string message(const report::Failure& failure) {
     if (failure.file.empty() || failure.message.find("File '") != std::string::npos)
@@ -48,6 +51,8 @@ void PovrayOracle::start() {
     first_batch_ = 1;
     set_outstanding(0);
     sent_end_ = queue_.begin();
+    arriving_ = {};
+    geometry_ended_ = false;
     last_look_ = Clock::now();
     try {
         process_ = std::make_unique<TracerProcess>(settings_.program, settings_.arguments);
@@ -67,6 +72,17 @@ const SceneDescription& PovrayOracle::wait_for_scene(
     }
     progress_ = nullptr;
     return *scene_;
+}
+
+void PovrayOracle::wait_for_geometry(const std::function<bool()>& interrupted) {
+    waits_for_geometry_ = true;
+    silence_ = {};
+    last_look_ = Clock::now();
+    while (!geometry_complete_) {
+        if (interrupted && interrupted()) fail(Exit::interrupted, "interrupted", "");
+        advance(Clock::now() + 50ms);
+    }
+    waits_for_geometry_ = false;
 }
 
 void PovrayOracle::submit(std::span<const Request> requests, Parts parts) {
@@ -128,6 +144,8 @@ void PovrayOracle::handle(std::span<const std::byte> frame) {
     if (state_ == State::greeting) throw WireFault("another message before its greeting");
     if (const auto* answer = std::get_if<report::Answer>(&any)) return handle_answer(*answer);
     if (const auto* scene = std::get_if<SceneDescription>(&any)) return handle_scene(*scene);
+    if (const auto* chunk = std::get_if<report::GeometryChunk>(&any))
+        return handle_geometry(*chunk);
     if (progress_) progress_(std::get<report::Progress>(any));
 }
 
@@ -164,6 +182,20 @@ void PovrayOracle::handle_failure(const report::Failure& failure) {
              "check the options meant for POV-Ray");
     fail(state_ == State::serving ? Exit::tracer : Exit::scene,
          text.empty() ? "POV-Ray failed without a message" : text, "");
+}
+
+void PovrayOracle::handle_geometry(const report::GeometryChunk& chunk) {
+    if (state_ != State::serving) throw WireFault("geometry before the scene");
+    if (geometry_ended_) throw WireFault("more geometry after the last of it");
+    geometry_ended_ = chunk.last;
+    if (geometry_complete_) return;  // an earlier process had sent it
+    arriving_.append(chunk.part);
+    if (arriving_.points.size() > geometry_limit || arriving_.corners.size() > geometry_limit ||
+        arriving_.polygons.size() > geometry_limit || arriving_.left_out.size() > geometry_limit)
+        throw WireFault(fmt::format("geometry of more than {} parts", geometry_limit));
+    if (!chunk.last) return;
+    geometry_complete_ = true;
+    geometry_ = std::exchange(arriving_, {});
 }
 
 void PovrayOracle::handle_answer(const report::Answer& answer) {
@@ -327,7 +359,7 @@ void PovrayOracle::check_stall(Clock::time_point before, Clock::time_point deadl
     silence_ +=
         std::min<Clock::duration>(away, 1s) + std::min<Clock::duration>(waited, patience + 1s);
     last_look_ = now;
-    if (outstanding_ == 0) silence_ = {};
+    if (outstanding_ == 0 && !waits_for_geometry_) silence_ = {};
     if (silence_ > settings_.stall_timeout)
         fail(Exit::tracer,
              fmt::format("the tracer has said nothing for {:.3g} seconds while {} samples were due",

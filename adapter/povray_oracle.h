@@ -9,9 +9,11 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "adapter/crash_search.h"
+#include "adapter/geometry.h"
 #include "adapter/sample_queue.h"
 #include "adapter/scene.h"
 #include "adapter/tracer_process.h"
@@ -60,6 +62,13 @@ class PovrayOracle : public SampleOracle {
         const std::function<void(const report::Progress&)>& progress,
         const std::function<bool()>& interrupted);
 
+    /// The scene's polygons, once, when all of them have come; they come beside the samples, soon
+    /// after the scene. Nothing before that and afterwards.
+    std::optional<Geometry> take_geometry() { return std::exchange(geometry_, std::nullopt); }
+    /// Waits until take_geometry() has something to give, or has given it. Throws Error as
+    /// wait_for_scene() does, and after a silence as long as a stall. REQUIRES: the scene has come.
+    void wait_for_geometry(const std::function<bool()>& interrupted);
+
     void submit(std::span<const Request> requests, Parts parts) override;
     /// As SampleOracle says; a signal ends the wait early.
     void collect(std::vector<Sample>& samples, std::chrono::nanoseconds patience) override;
@@ -93,6 +102,7 @@ class PovrayOracle : public SampleOracle {
     void handle_hello(const report::Hello& hello);
     void handle_scene(SceneDescription scene);
     void handle_answer(const report::Answer& answer);
+    void handle_geometry(const report::GeometryChunk& chunk);
     [[noreturn]] void handle_failure(const report::Failure& failure);
 
     void send_waiting();
@@ -133,6 +143,12 @@ class PovrayOracle : public SampleOracle {
     report::Hello hello_;
     std::optional<SceneDescription> scene_;
     std::function<void(const report::Progress&)> progress_;
+
+    Geometry arriving_;               ///< what this process has sent so far
+    bool geometry_ended_ = false;     ///< this process has sent all
+    bool geometry_complete_ = false;  ///< some process has
+    bool waits_for_geometry_ = false;
+    std::optional<Geometry> geometry_;  ///< complete, and not taken yet
     std::vector<std::string> faults_;
 
     TracerStatistics statistics_;

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <utility>
 
 #include "adapter/wire_generated.h"
 
@@ -113,6 +114,62 @@ SceneDescription scene(const wire::Scene& from) {
     to.textures = counts(from.textures());
     to.objects = counts(from.objects());
     to.background = vec3(from.background());
+    return to;
+}
+
+Geometry::Polygon polygon(const wire::Polygon& from, std::uint32_t first_ring) {
+    const auto has = [flags = from.flags()](wire::PolygonFlags flag) {
+        return (flags & flag) != wire::PolygonFlags::NONE;
+    };
+    Geometry::Polygon to;
+    to.first_ring = first_ring;
+    to.rings = from.rings();
+    to.convex = has(wire::PolygonFlags::convex);
+    to.face.surface = from.surface();
+    to.face.material = from.material();
+    to.face.smooth = from.smooth();
+    to.face.transparent = has(wire::PolygonFlags::transparent);
+    to.face.casts_shadow = !has(wire::PolygonFlags::no_shadow);
+    to.face.visible = !has(wire::PolygonFlags::no_image);
+    to.face.reflected = !has(wire::PolygonFlags::no_reflection);
+    to.face.lit_from_behind = has(wire::PolygonFlags::double_illuminate);
+    to.face.mirror = from.mirror() > 0 ? std::min(from.mirror(), 1.f) : 0;  // not if NaN
+    return to;
+}
+
+/// Takes `count` more of `total` things; throws if there are not that many left.
+std::uint32_t take(std::uint32_t& taken, std::uint32_t count, std::size_t total, const char* what) {
+    if (count > total - taken)
+        throw WireFault(fmt::format("geometry of {} {} that uses more of them", total, what));
+    return std::exchange(taken, taken + count);
+}
+
+report::GeometryChunk geometry(const wire::Geometry& from) {
+    report::GeometryChunk to;
+    to.last = from.last();
+    Geometry& part = to.part;
+    if (from.points())
+        for (const wire::Vec3d* p : *from.points()) part.points.push_back(vec3(*p));
+    if (from.corners()) part.corners.assign(from.corners()->begin(), from.corners()->end());
+    for (const std::uint32_t corner : part.corners)
+        if (corner >= part.points.size())
+            throw WireFault(
+                fmt::format("geometry with point {} of {}", corner, part.points.size()));
+    std::uint32_t corners_taken = 0, rings_taken = 0;
+    if (from.rings())
+        for (const std::uint32_t count : *from.rings())
+            part.rings.push_back(
+                {take(corners_taken, count, part.corners.size(), "corners"), count});
+    if (from.polygons())
+        for (const wire::Polygon* p : *from.polygons())
+            part.polygons.push_back(
+                polygon(*p, take(rings_taken, p->rings(), part.rings.size(), "rings")));
+    if (corners_taken != part.corners.size() || rings_taken != part.rings.size())
+        throw WireFault("geometry with corners or rings that belong to nothing");
+    check_list(from.left_out(), max_kinds, "kinds left out");
+    if (from.left_out())
+        for (const wire::LeftOut* l : *from.left_out())
+            part.left_out.push_back({name(l->kind()), name(l->reason()), l->count()});
     return to;
 }
 
@@ -276,6 +333,8 @@ Report decode_report(std::span<const std::byte> frame) {
             return scene(*root->report_as_Scene());
         case wire::Report::Answer:
             return report::Answer(*root->report_as_Answer());
+        case wire::Report::Geometry:
+            return geometry(*root->report_as_Geometry());
         case wire::Report::Failure: {
             const auto* from = root->report_as_Failure();
             return report::Failure{text(from->message()), text(from->file()), from->line()};

@@ -11,6 +11,7 @@
 #include <variant>
 #include <vector>
 
+#include "adapter/geometry.h"
 #include "adapter/scene.h"
 #include "core/oracle.h"
 
@@ -27,7 +28,7 @@ struct Answer;  // the generated table
 }
 
 /// Version of the schema; both ends must have the same.
-constexpr std::uint32_t wire_version = 1;
+constexpr std::uint32_t wire_version = 2;
 /// A frame's flatbuffer is at most this long, bytes. Room for 2^17 samples with all their parts, or
 /// for a scene of 10^5 lights.
 constexpr std::size_t wire_max_frame = std::size_t{16} << 20;
@@ -109,10 +110,17 @@ class Answer {
     std::vector<bool> failed_;  ///< empty, or by offset
 };
 
+/// Part of the scene's polygons. Indices are in range and counts agree; coordinates may be
+/// anything.
+struct GeometryChunk {
+    Geometry part;
+    bool last = false;
+};
+
 }  // namespace report
 
 using Report = std::variant<report::Hello, report::Progress, report::Failure, report::Answer,
-                            SceneDescription>;
+                            report::GeometryChunk, SceneDescription>;
 
 /// Decodes one frame. Throws WireFault on anything but a well-formed report. REQUIRES: `frame`
 /// starts at an address that is a multiple of 8, as FrameReader's do.

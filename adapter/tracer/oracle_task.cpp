@@ -13,6 +13,7 @@
 #include "base/povmsgid.h"
 // clang-format on
 
+#include "backend/oracle/geometry_task.h"
 #include "backend/oracle/hash.h"
 #include "backend/oracle/scene_description.h"
 #include "base/povdebug.h"
@@ -203,6 +204,8 @@ std::vector<pov::ViewThreadData*> append_oracle_tasks(pov::TaskQueue& tasks, pov
     tasks.AppendFunction(
         [&view, antialias, shared](pov::TaskQueue&) { announce(&view, antialias, shared); });
     std::vector<pov::ViewThreadData*> data;
+    data.push_back(
+        dynamic_cast<pov::ViewThreadData*>(tasks.AppendTask(new GeometryTask(&view, shared))));
     for (int i = 0; i < threads; ++i)
         data.push_back(
             dynamic_cast<pov::ViewThreadData*>(tasks.AppendTask(new OracleTask(&view, shared))));

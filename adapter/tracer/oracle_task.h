@@ -69,7 +69,8 @@ class OracleTask : public pov::RenderTask {
 };
 
 /// Replaces the tasks that render an image: queues the announcement of the scene to the previewer
-/// and the tasks that answer it. Returns their thread data for POV-Ray's statistics.
+/// and the tasks that answer it, and the one that sends the geometry. Returns their thread data for
+/// POV-Ray's statistics.
 std::vector<pov::ViewThreadData*> append_oracle_tasks(pov::TaskQueue& tasks, pov::ViewData& view,
                                                       POVMS_Object& options, int threads);
 

@@ -7,13 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "backend/oracle/point.h"
 #include "backend/oracle/samples.h"
 
 namespace povpreview::tracer {
-
-struct Point {
-    double x = 0, y = 0, z = 0;
-};
 
 /// As wire::Camera; `kind` and the light's `kind` are the numbers of wire.fbs.
 struct CameraFacts {

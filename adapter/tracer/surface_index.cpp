@@ -5,6 +5,7 @@
 // clang-format off
 #include "backend/frame.h"
 #include "backend/scene/objects.h"
+#include "backend/shape/bezier.h"
 #include "backend/shape/boxes.h"
 #include "backend/shape/cones.h"
 #include "backend/shape/csg.h"
@@ -15,12 +16,13 @@
 // clang-format on
 
 #include "backend/oracle/hash.h"
+#include "backend/oracle/prism_parts.h"
 #include "base/povdebug.h"
 
 namespace povpreview::tracer {
 
-/// Intersection::i1 of a hit on a prism's side; as in POV-Ray's shape/prism.cpp.
-constexpr int spline_hit = 3;
+/// Groups of what is part of no union; no object's number.
+constexpr std::uint32_t loose_triangles = ~std::uint32_t{1}, loose_patches = ~std::uint32_t{2};
 
 SurfaceIndex::SurfaceIndex(const std::vector<pov::ObjectPtr>& objects) {
     for (const pov::ObjectPtr object : objects) add(object, 0);
@@ -43,36 +45,62 @@ void SurfaceIndex::add(const pov::ObjectBase* object, std::uint32_t parent) {
         faces = Faces::mesh;
     else if (is(static_cast<const pov::SmoothTriangle*>(nullptr)) && parent != 0)
         number = parent;  // one of many that together look smooth
-    entries_.try_emplace(object, Entry{number, faces});
+    std::uint32_t group = number;
+    if (is(static_cast<const pov::SmoothTriangle*>(nullptr)))
+        group = parent != 0 ? parent : loose_triangles;
+    else if (is(static_cast<const pov::BicubicPatch*>(nullptr)))
+        group = parent != 0 ? parent : loose_patches;
+    entries_.try_emplace(object, Entry{number, faces, group});
     if ((object->Type & IS_COMPOUND_OBJECT) != 0)
         for (const pov::ObjectPtr child : static_cast<const pov::CompoundObject*>(object)->children)
             add(child, number);
 }
 
-std::uint32_t SurfaceIndex::identity(const pov::Intersection& hit) const {
-    const auto found = entries_.find(hit.Object);
+SurfaceIndex::Entry SurfaceIndex::entry(const pov::ObjectBase& object) const {
+    const auto found = entries_.find(&object);
+    if (found != entries_.end()) return found->second;
     // An object that is not in the scene's list is a surface all the same.
-    if (found == entries_.end()) return fold(mix(~std::uint64_t{0}, hit.Object->Type));
-    const Entry& entry = found->second;
-    std::uint64_t hash = mix(0, entry.number);
-    switch (entry.faces) {
+    return {~std::uint32_t{0} - static_cast<std::uint32_t>(object.Type), Faces::none,
+            ~std::uint32_t{0}};
+}
+
+FaceNumber face_number(const pov::MESH_TRIANGLE& triangle) {
+    return {triangle.Smooth ? 0 : static_cast<int>(triangle.Normal_Ind) + 1, 0};
+}
+
+FaceNumber SurfaceIndex::face_hit(const pov::Intersection& hit, Faces faces) {
+    switch (faces) {
         case Faces::none:
-            break;
+            break;  // i1 is not set
         case Faces::first:
-            hash = mix(hash, static_cast<std::uint64_t>(hit.i1));
-            break;
+            return {hit.i1, 0};
         case Faces::first_and_second:
-            hash = mix(mix(hash, static_cast<std::uint64_t>(hit.i1)),
-                       hit.i1 == spline_hit ? static_cast<std::uint64_t>(hit.i2) : 0);
-            break;
-        case Faces::mesh: {
-            const auto* triangle = static_cast<const pov::MESH_TRIANGLE*>(hit.Pointer);
-            if (!triangle->Smooth)
-                hash = mix(hash, static_cast<std::uint64_t>(triangle->Normal_Ind) + 1);
-            break;
-        }
+            return {hit.i1, hit.i1 == spline_hit ? hit.i2 : 0};
+        case Faces::mesh:
+            return face_number(*static_cast<const pov::MESH_TRIANGLE*>(hit.Pointer));
     }
+    return {};
+}
+
+std::uint32_t SurfaceIndex::identity(const Entry& entry, FaceNumber face) {
+    std::uint64_t hash = mix(0, entry.number);
+    if (entry.faces != Faces::none)
+        hash = mix(mix(hash, static_cast<std::uint64_t>(face.first)),
+                   static_cast<std::uint64_t>(face.second));
     return fold(hash);
+}
+
+std::uint32_t SurfaceIndex::identity(const pov::Intersection& hit) const {
+    const Entry found = entry(*hit.Object);
+    return identity(found, face_hit(hit, found.faces));
+}
+
+std::uint32_t SurfaceIndex::identity(const pov::ObjectBase& object, FaceNumber face) const {
+    return identity(entry(object), face);
+}
+
+std::uint32_t SurfaceIndex::group(const pov::ObjectBase& object) const {
+    return entry(object).group;
 }
 
 }  // namespace povpreview::tracer

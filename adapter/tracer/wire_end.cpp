@@ -55,6 +55,13 @@ void WireEnd::send_answer(const Slice& slice, const std::vector<Sample>& samples
     send(answer_frame(slice, samples));
 }
 
+void WireEnd::send_geometry(const GeometryChunk& chunk) { send(geometry_frame(chunk)); }
+
+bool WireEnd::is_busy() {
+    const std::lock_guard lock(mutex_);
+    return !frames_.empty() || writing_;
+}
+
 void WireEnd::send_failure(const std::string& message, const std::string& file, unsigned line) {
     stage_ = Stage::ready;
     send(failure_frame(message, file, line));

@@ -11,6 +11,7 @@
 #include <thread>
 #include <vector>
 
+#include "backend/oracle/geometry_facts.h"
 #include "backend/oracle/samples.h"
 #include "backend/oracle/scene_facts.h"
 #include "backend/oracle/work_queue.h"
@@ -27,7 +28,7 @@ enum class Stage : std::uint8_t { parsing, bounding, photons, radiosity, ready }
 /// that it has is worth saving.
 class WireEnd {
    public:
-    static constexpr std::uint32_t version = 1;
+    static constexpr std::uint32_t version = 2;
     static constexpr std::size_t max_frame = 16u << 20;
     static constexpr std::size_t max_positions = std::size_t{1} << 20;
     /// How often progress is reported while the previewer waits for the scene.
@@ -42,6 +43,9 @@ class WireEnd {
     void progress(Stage stage, std::uint64_t done, std::uint64_t total);
     void send_scene(const SceneFacts& scene);
     void send_answer(const Slice& slice, const std::vector<Sample>& samples);
+    void send_geometry(const GeometryChunk& chunk);
+    /// Whether something waits to be sent.
+    bool is_busy();
     /// The last word: returns when it is written, or when the previewer does not read.
     void send_failure(const std::string& message, const std::string& file, unsigned line);
 

@@ -53,6 +53,21 @@ Offset<wire::LightSource> light(FlatBufferBuilder& builder, const LightFacts& fa
                                    facts.in_group);
 }
 
+wire::Polygon polygon(const PolygonFacts& facts) {
+    unsigned flags = 0;
+    const auto flag = [&flags](bool set, wire::PolygonFlags which) {
+        if (set) flags |= which;
+    };
+    flag(facts.transparent, wire::PolygonFlags_transparent);
+    flag(facts.no_shadow, wire::PolygonFlags_no_shadow);
+    flag(facts.no_image, wire::PolygonFlags_no_image);
+    flag(facts.no_reflection, wire::PolygonFlags_no_reflection);
+    flag(facts.double_illuminate, wire::PolygonFlags_double_illuminate);
+    flag(facts.convex, wire::PolygonFlags_convex);
+    return {facts.surface, facts.material, facts.smooth,
+            facts.mirror,  facts.rings,    static_cast<wire::PolygonFlags>(flags)};
+}
+
 /// A vector of the wire made of one part of each sample; absent if not wanted.
 template <typename Part, typename Make>
 Offset<flatbuffers::Vector<const Part*>> parts(FlatBufferBuilder& builder, bool wanted,
@@ -92,6 +107,29 @@ Frame scene_frame(const SceneFacts& scene) {
                           camera(builder, scene.camera), builder.CreateVector(lights), features,
                           textures, objects, &background);
     return finish(builder, wire::Report_Scene, message);
+}
+
+Frame geometry_frame(const GeometryChunk& chunk) {
+    FlatBufferBuilder builder(24 * (chunk.points.size() + chunk.polygons.size()) +
+                              4 * (chunk.corners.size() + chunk.rings.size()) + 1024);
+    wire::Vec3d* point = nullptr;
+    const auto points =
+        builder.CreateUninitializedVectorOfStructs<wire::Vec3d>(chunk.points.size(), &point);
+    for (const Point& p : chunk.points) *point++ = vec3d(p);
+    const auto corners = builder.CreateVector(chunk.corners);
+    const auto rings = builder.CreateVector(chunk.rings);
+    wire::Polygon* to = nullptr;
+    const auto polygons =
+        builder.CreateUninitializedVectorOfStructs<wire::Polygon>(chunk.polygons.size(), &to);
+    for (const PolygonFacts& facts : chunk.polygons) *to++ = polygon(facts);
+    std::vector<Offset<wire::LeftOut>> left_out;
+    for (const auto& [what, count] : chunk.left_out)
+        left_out.push_back(
+            wire::CreateLeftOutDirect(builder, what.first.c_str(), what.second.c_str(), count));
+    const auto left_out_vector = builder.CreateVector(left_out);
+    return finish(builder, wire::Report_Geometry,
+                  wire::CreateGeometry(builder, points, corners, rings, polygons, left_out_vector,
+                                       chunk.last));
 }
 
 Frame answer_frame(const Slice& slice, const std::vector<Sample>& samples) {

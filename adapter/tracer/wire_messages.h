@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "backend/oracle/geometry_facts.h"
 #include "backend/oracle/samples.h"
 #include "backend/oracle/scene_facts.h"
 #include "backend/oracle/work_queue.h"
@@ -19,6 +20,7 @@ std::vector<std::uint8_t> hello_frame(std::uint32_t version, const std::string& 
 std::vector<std::uint8_t> progress_frame(std::uint8_t stage, std::uint64_t done,
                                          std::uint64_t total);
 std::vector<std::uint8_t> scene_frame(const SceneFacts& scene);
+std::vector<std::uint8_t> geometry_frame(const GeometryChunk& chunk);
 std::vector<std::uint8_t> answer_frame(const Slice& slice, const std::vector<Sample>& samples);
 std::vector<std::uint8_t> failure_frame(const std::string& message, const std::string& file,
                                         unsigned line);

@@ -34,6 +34,7 @@
 #include <random>
 #include <string>
 
+#include "adapter/wire.h"
 #include "tests/adapter/fake_world.h"
 #include "tests/adapter/frames.h"
 
@@ -144,7 +145,7 @@ void FakeTracer::parse() {
         std::exit(1);
     }
     if (how == "no_hello") send(progress_frame(0, 0, 0));
-    send(hello_frame(how == "bad_version" ? 99 : 1));
+    send(hello_frame(how == "bad_version" ? 99 : wire_version));
     for (std::uint64_t i = 0; i < 3; ++i) send(progress_frame(0, i, 3));
     if (how == "error") {
         send(failure_frame("File 'x.pov' line 7: Parse Error: Expected 'object', sphere found",
@@ -209,7 +210,7 @@ void FakeTracer::commit_fault(Slice& right) {
         std::exit(1);
     }
     if (fault == "scene_again") send(scene_frame(width, height));
-    if (fault == "hello_again") send(hello_frame(1));
+    if (fault == "hello_again") send(hello_frame(wire_version));
 }
 
 void FakeTracer::answer_one() {

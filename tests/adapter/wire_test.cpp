@@ -37,7 +37,7 @@ fake::Slice slice_of(std::uint32_t count, RayKind kind, Parts parts) {
 std::vector<Bytes> all_reports() {
     fake::Slice failed = slice_of(4, RayKind::full, everything);
     failed.failed = {1, 3};
-    return {fake::hello_frame(1),
+    return {fake::hello_frame(wire_version),
             fake::progress_frame(3, 17, 0),
             fake::scene_frame(640, 480),
             fake::failure_frame("File 'x' line 3: Parse Error: no", "x", 3),
@@ -94,7 +94,7 @@ TEST(FrameReader, EveryChunkingGivesTheSameFrames) {
 }
 
 TEST(FrameReader, ATruncatedStreamGivesTheFramesBeforeTheCut) {
-    const Bytes frame = fake::hello_frame(1);
+    const Bytes frame = fake::hello_frame(wire_version);
     for (std::size_t cut = 0; cut < frame.size(); ++cut) {
         Bytes stream = frame;
         stream.insert(stream.end(), frame.begin(),
@@ -152,8 +152,9 @@ TEST(Wire, TheLargestOrderFitsAFrame) {
 // ---- reports
 
 TEST(Wire, ReportsAreReadAsTheyWereWritten) {
-    const auto hello = std::get<report::Hello>(decode_report(content(fake::hello_frame(1))));
-    EXPECT_EQ(hello.version, 1U);
+    const auto hello =
+        std::get<report::Hello>(decode_report(content(fake::hello_frame(wire_version))));
+    EXPECT_EQ(hello.version, wire_version);
     EXPECT_EQ(hello.povray, "3.7.0.10 fake");
     const auto progress =
         std::get<report::Progress>(decode_report(content(fake::progress_frame(3, 17, 90))));

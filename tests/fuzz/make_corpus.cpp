@@ -6,6 +6,7 @@
 #include <iostream>
 #include <string>
 
+#include "adapter/wire.h"
 #include "tests/adapter/fake_world.h"
 #include "tests/adapter/frames.h"
 
@@ -44,7 +45,7 @@ int main(int argc, char** argv) {
     const std::string folder = std::string(argv[1]) + "/";
     const Parts everything = Parts::surface | Parts::shading | Parts::signature;
     const std::pair<const char*, fake::Bytes> reports[] = {
-        {"hello", fake::hello_frame(1)},
+        {"hello", fake::hello_frame(wire_version)},
         {"progress", fake::progress_frame(2, 5, 9)},
         {"scene", fake::scene_frame(64, 48)},
         {"failure", fake::failure_frame("Parse Error: no", "x.pov", 3)},

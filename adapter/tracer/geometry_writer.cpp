@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "backend/oracle/geometry_writer.h"
+
+#include <utility>
+
+namespace povpreview::tracer {
+
+void GeometryWriter::begin(const ObjectFaces& object) {
+    object_ = &object;
+    index_of_.assign(object.points.size(), 0);
+    indexed_.clear();
+}
+
+void GeometryWriter::add(const ObjectFaces::Face& face, PolygonFacts facts) {
+    send_if_full();
+    facts.rings = face.rings;
+    facts.convex = face.convex;
+    for (std::uint32_t r = face.first_ring; r < face.first_ring + face.rings; ++r) {
+        const ObjectFaces::Ring& ring = object_->rings[r];
+        chunk_.rings.push_back(ring.count);
+        for (std::uint32_t i = ring.first; i < ring.first + ring.count; ++i) {
+            const std::uint32_t point = object_->corners[i];
+            if (index_of_[point] == 0) {
+                chunk_.points.push_back(object_->points[point]);
+                index_of_[point] = static_cast<std::uint32_t>(chunk_.points.size());
+                indexed_.push_back(point);
+            }
+            chunk_.corners.push_back(index_of_[point] - 1);
+        }
+    }
+    add_polygon(facts);
+}
+
+void GeometryWriter::add(const ConvexPolygon& polygon, PolygonFacts facts) {
+    send_if_full();
+    facts.rings = 1;
+    facts.convex = true;
+    chunk_.rings.push_back(static_cast<std::uint32_t>(polygon.size()));
+    for (const Point& corner : polygon) {
+        chunk_.corners.push_back(static_cast<std::uint32_t>(chunk_.points.size()));
+        chunk_.points.push_back(corner);
+    }
+    add_polygon(facts);
+}
+
+void GeometryWriter::add_polygon(const PolygonFacts& facts) {
+    chunk_.polygons.push_back(facts);
+    ++polygons_;
+}
+
+void GeometryWriter::leave_out(const std::string& kind, const std::string& reason) {
+    ++chunk_.left_out[{kind, reason}];
+}
+
+void GeometryWriter::send_if_full() {
+    if (chunk_.points.size() < chunk_size && chunk_.corners.size() < chunk_size) return;
+    const auto left_out = std::exchange(chunk_.left_out, {});  // goes with the last chunk
+    send_(chunk_);
+    chunk_ = {};
+    chunk_.left_out = left_out;
+    for (const std::uint32_t point : indexed_) index_of_[point] = 0;
+    indexed_.clear();
+}
+
+void GeometryWriter::finish() {
+    chunk_.last = true;
+    send_(chunk_);
+}
+
+}  // namespace povpreview::tracer

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "backend/oracle/surface_looks.h"
+
+#include <algorithm>
+#include <cstring>
+
+// The order of POV-Ray's headers matters: frame.h first, povdebug.h last.
+// clang-format off
+#include "backend/frame.h"
+#include "backend/scene/objects.h"
+#include "backend/shape/mesh.h"
+#include "backend/support/imageutil.h"
+#include "backend/texture/texture.h"
+// clang-format on
+
+#include "backend/oracle/hash.h"
+#include "base/povdebug.h"
+
+namespace povpreview::tracer {
+
+namespace {
+
+const pov::TEXTURE* next_layer(const pov::TEXTURE* texture) {
+    return reinterpret_cast<const pov::TEXTURE*>(texture->Next);
+}
+
+/// Calls `see` for the textures that a texture pattern chooses from.
+template <typename See>
+void for_each_choice(const pov::TEXTURE& texture, See see) {
+    for (const pov::TEXTURE* m = texture.Materials; m != nullptr; m = m->Next_Material) see(m);
+    if (texture.Blend_Map == nullptr) return;
+    for (int i = 0; i < texture.Blend_Map->Number_Of_Entries; ++i)
+        see(texture.Blend_Map->Blend_Map_Entries[i].Vals.Texture);
+}
+
+/// Light passes only where it passes through all layers.
+bool is_transparent(const pov::TEXTURE* texture) {
+    for (; texture != nullptr; texture = next_layer(texture)) {
+        if (texture->Type == pov::PLAIN_PATTERN) {
+            if ((texture->Pigment->Flags & HAS_FILTER) == 0) return false;
+            continue;
+        }
+        bool choice = false;
+        for_each_choice(*texture,
+                        [&choice](const pov::TEXTURE* t) { choice = choice || is_transparent(t); });
+        // A material map that is used once leaves everything outside of it empty.
+        const bool once = texture->Type == pov::BITMAP_PATTERN && texture->Vals.image != nullptr &&
+                          texture->Vals.image->Once_Flag;
+        if (!choice && !once) return false;
+    }
+    return true;
+}
+
+float reflection(const pov::FINISH& finish) {
+    const auto grey = [](const pov::RGBColour& c) {
+        return static_cast<float>((c.red() + c.green() + c.blue()) / 3);
+    };
+    return std::clamp((grey(finish.Reflection_Max) + grey(finish.Reflection_Min)) / 2, 0.0f, 1.0f);
+}
+
+/// The strongest reflection in a texture; negative where something makes the normal bumpy.
+float mirror_of(const pov::TEXTURE* texture) {
+    constexpr float bumpy = -1;
+    float strongest = 0;
+    for (; texture != nullptr; texture = next_layer(texture)) {
+        if (texture->Type == pov::PLAIN_PATTERN) {
+            if (texture->Tnormal != nullptr) return bumpy;
+            if (texture->Finish != nullptr)
+                strongest = std::max(strongest, reflection(*texture->Finish));
+            continue;
+        }
+        bool any_bumpy = false;
+        for_each_choice(*texture, [&](const pov::TEXTURE* choice) {
+            const float mirror = mirror_of(choice);
+            any_bumpy = any_bumpy || mirror < 0;
+            strongest = std::max(strongest, mirror);
+        });
+        if (any_bumpy) return bumpy;
+    }
+    return strongest;
+}
+
+// ---- content
+
+std::uint64_t bits(double value) {
+    if (value == 0) return 0;  // of either sign
+    std::uint64_t result;
+    std::memcpy(&result, &value, sizeof result);
+    return result;
+}
+template <typename Pointed>
+std::uint64_t bits(const Pointed* pointer) {
+    return reinterpret_cast<std::uintptr_t>(pointer);
+}
+
+std::uint64_t add(std::uint64_t hash, const pov::RGBColour& c) {
+    return mix(mix(mix(hash, bits(c.red())), bits(c.green())), bits(c.blue()));
+}
+
+std::uint64_t content(const pov::PIGMENT* pigment) {
+    if (pigment == nullptr || pigment->Type != pov::PLAIN_PATTERN) return bits(pigment);
+    const std::uint64_t hash = add(1, pov::RGBColour(pigment->colour));
+    return mix(mix(hash, bits(pigment->colour.filter())), bits(pigment->colour.transm()));
+}
+
+std::uint64_t content(const pov::FINISH* finish) {
+    if (finish == nullptr) return 0;
+    const pov::FINISH& f = *finish;
+    std::uint64_t hash = 2;
+    for (const double value :
+         {f.Diffuse, f.DiffuseBack, f.Brilliance, f.Specular, f.Roughness, f.Phong, f.Phong_Size,
+          f.Irid, f.Irid_Film_Thickness, f.Irid_Turb, f.Reflect_Exp, f.Crand, f.Metallic,
+          f.Reflection_Falloff, f.Reflect_Metallic})
+        hash = mix(hash, bits(value));
+    for (const pov::RGBColour& colour : {f.Ambient, f.Emission, f.Reflection_Max, f.Reflection_Min,
+                                         f.SubsurfaceTranslucency, f.SubsurfaceAnisotropy})
+        hash = add(hash, colour);
+    return mix(mix(hash, static_cast<std::uint64_t>(f.Reflection_Type)),
+               static_cast<std::uint64_t>(2 * f.Conserve_Energy + f.UseSubsurface));
+}
+
+std::uint64_t content(const pov::TEXTURE* texture) {
+    std::uint64_t hash = 3;
+    for (; texture != nullptr; texture = next_layer(texture))
+        if (texture->Type == pov::PLAIN_PATTERN)
+            hash = mix(mix(mix(hash, content(texture->Pigment)), content(texture->Finish)),
+                       bits(texture->Tnormal));
+        else
+            hash = mix(hash, bits(texture));
+    return hash;
+}
+
+std::uint64_t content(const pov::Interior* interior) {
+    if (interior == nullptr) return 0;
+    if (!interior->media.empty() || interior->subsurface != nullptr) return bits(interior);
+    std::uint64_t hash = 4;
+    for (const double value :
+         {interior->IOR, interior->Dispersion, interior->Caustics, interior->Old_Refract,
+          interior->Fade_Distance, interior->Fade_Power})
+        hash = mix(hash, bits(value));
+    return add(hash, interior->Fade_Colour);
+}
+
+}  // namespace
+
+Look SurfaceLooks::of(const pov::ObjectBase& object, const pov::MESH_TRIANGLE* triangle) {
+    Surface surface{&object, {}};
+    if (triangle != nullptr) {
+        pov::TEXTURE* const* textures = static_cast<const pov::Mesh&>(object).Textures;
+        if (triangle->ThreeTex)
+            surface.second = {textures[triangle->Texture], textures[triangle->Texture2],
+                              textures[triangle->Texture3]};
+        else
+            surface.second = {textures[triangle->Texture]};
+    }
+    const auto found = known_.find(surface);
+    if (found != known_.end()) return found->second;
+    return known_[surface] = look(surface);
+}
+
+Look SurfaceLooks::look(const Surface& surface) {
+    const pov::ObjectBase& object = *surface.first;
+    Textures textures = surface.second;
+    if (textures.empty() && object.Texture != nullptr) textures = {object.Texture};
+    if (object.Interior_Texture != nullptr) textures.push_back(object.Interior_Texture);
+    Look look;
+    // Without a texture of its own it takes those of the objects that it cuts.
+    look.transparent = textures.empty();
+    std::uint64_t hash = textures.empty() ? bits(&object) : 0;
+    bool bumpy = false;
+    for (const pov::TEXTURE* texture : textures) {
+        look.transparent = look.transparent || is_transparent(texture);
+        const float mirror = mirror_of(texture);
+        bumpy = bumpy || mirror < 0;
+        look.mirror = std::max(look.mirror, mirror);
+        hash = mix(hash, content(texture));
+    }
+    if (bumpy) look.mirror = 0;
+    if (look.transparent) hash = mix(hash, content(object.interior));
+    if ((object.Flags & UV_FLAG) != 0) hash = mix(hash, bits(object.UV_Trans));
+    look.material = materials_.try_emplace(hash, static_cast<std::uint32_t>(materials_.size() + 1))
+                        .first->second;
+    return look;
+}
+
+}  // namespace povpreview::tracer

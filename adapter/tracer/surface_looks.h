@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <unordered_map>
+#include <vector>
+
+// The order of POV-Ray's headers matters: frame.h first, povdebug.h last.
+// clang-format off
+#include "backend/frame.h"
+// clang-format on
+
+namespace pov {
+struct Mesh_Triangle_Struct;
+}
+
+namespace povpreview::tracer {
+
+/// What the textures of a surface say about it as a whole.
+struct Look {
+    /// Equal where textures (and interiors, if one sees into them) are the same by content: plain
+    /// colours and finishes are compared by value, patterns by identity. Never 0.
+    std::uint32_t material = 0;
+    bool transparent = false;  ///< some light may pass through some part of it
+    float mirror = 0;          ///< share of light that it reflects, 0..1; 0 if its normal is bumpy
+};
+
+class SurfaceLooks {
+   public:
+    /// `triangle` (may be null) has textures of its own.
+    Look of(const pov::ObjectBase& object, const pov::Mesh_Triangle_Struct* triangle);
+
+   private:
+    using Textures = std::vector<const pov::TEXTURE*>;
+    using Surface = std::pair<const pov::ObjectBase*, Textures>;
+
+    Look look(const Surface& surface);
+
+    std::map<Surface, Look> known_;
+    std::unordered_map<std::uint64_t, std::uint32_t> materials_;  ///< number by hash of the content
+};
+
+}  // namespace povpreview::tracer

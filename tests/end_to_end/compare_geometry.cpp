@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+//
+// compare_geometry [-v] SCENE... : how the polygons that the tracer exports agree with what its
+// rays hit, a line a scene. Question: is the export exact on the scenes that people have, and how
+// much of them is polygonal? Try it on those of the package povray-examples. With -v also what was
+// left out and why, and positions that do not agree.
+#include <chrono>
+#include <cstdio>
+#include <cstring>
+
+#include "adapter/povray_options.h"
+#include "adapter/straight_camera.h"
+#include "core/error.h"
+#include "tests/end_to_end/geometry_agreement.h"
+#include "tests/end_to_end/real_tracer.h"
+
+namespace {
+
+using namespace povpreview;
+using Clock = std::chrono::steady_clock;
+
+double milliseconds(Clock::time_point since) {
+    return std::chrono::duration<double, std::milli>(Clock::now() - since).count();
+}
+
+struct Totals {
+    int scenes = 0, agreeing = 0;
+    std::size_t probes = 0, on_faces = 0, disagreeing = 0;
+};
+
+void print_details(const Geometry& geometry, const PolygonScene& polygons,
+                   const GeometryAgreement& agreement, const std::vector<Sample>& probes) {
+    for (const Geometry::LeftOut& left : geometry.left_out)
+        std::printf("        %u x %s: %s\n", left.count, left.kind.c_str(), left.reason.c_str());
+    for (const std::size_t i : agreement.worst) {
+        std::size_t faces = 0;
+        for (const Face& face : polygons.faces) faces += face.surface == probes[i].surface;
+        std::printf("        at (%.4f, %.4f): hit %08x at %g, a surface of %zu faces\n",
+                    probes[i].position.x, probes[i].position.y, probes[i].surface, probes[i].depth,
+                    faces);
+    }
+}
+
+void compare(const std::filesystem::path& scene, const char* name, bool verbose, Totals& totals) {
+    std::filesystem::current_path(scene.parent_path());  // scenes find their own files beside them
+    const PovrayOptions options = read_povray_options({scene, "+W160", "+H120", "+WT2"});
+    PovrayOracle oracle({.program = real_tracer(), .arguments = options.tracer_arguments()});
+    const SceneDescription description = oracle.wait_for_scene(nullptr, nullptr);
+    const Clock::time_point start = Clock::now();
+    oracle.wait_for_geometry([&] { return milliseconds(start) > 60000; });
+    const double waited = milliseconds(start);
+    const Geometry geometry = oracle.take_geometry().value();
+    const Clock::time_point cutting = Clock::now();
+    const std::optional<PolygonScene> polygons = polygon_scene(geometry, description);
+    const double cut = milliseconds(cutting);
+    if (!polygons) {
+        std::printf("%8s %8s %9s %9s %8s %8s  %s: %s\n", "-", "-", "-", "-", "-", "-", name,
+                    why_not_straight(description.camera).c_str());
+        return;
+    }
+    const std::vector<Sample> probes = probe(oracle, probing_positions(*polygons, 20000, 1));
+    const GeometryAgreement agreement = compare_geometry(*polygons, probes);
+    std::size_t left_out = 0;
+    for (const Geometry::LeftOut& left : geometry.left_out) left_out += left.count;
+    std::printf("%8zu %8zu %8.2f%% %8.3f%% %8.1f %8.1f  %s\n", polygons->faces.size(), left_out,
+                100. * static_cast<double>(agreement.on_faces) /
+                    static_cast<double>(std::max<std::size_t>(1, agreement.probes)),
+                100 * agreement.share(), waited, cut, name);
+    if (verbose) print_details(geometry, *polygons, agreement, probes);
+    ++totals.scenes;
+    totals.agreeing += agreement.disagreeing() == 0;
+    totals.probes += agreement.probes;
+    totals.on_faces += agreement.on_faces;
+    totals.disagreeing += agreement.disagreeing();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    const std::filesystem::path start = std::filesystem::current_path();
+    const bool verbose = argc > 1 && std::strcmp(argv[1], "-v") == 0;
+    Totals totals;
+    std::printf("%8s %8s %9s %9s %8s %8s  scene\n", "faces", "left out", "on faces", "disagree",
+                "came ms", "cut ms");
+    for (int i = verbose ? 2 : 1; i < argc; ++i) {
+        try {
+            compare(start / argv[i], argv[i], verbose, totals);
+        } catch (const Error& error) {
+            std::printf("%36s  %s: %s\n", "-", argv[i], error.what());
+        }
+        std::fflush(stdout);
+    }
+    std::printf("%d scenes, %d agree throughout; %zu probes, %zu on faces, %zu disagree (%.4f%%)\n",
+                totals.scenes, totals.agreeing, totals.probes, totals.on_faces, totals.disagreeing,
+                100. * static_cast<double>(totals.disagreeing) /
+                    static_cast<double>(std::max<std::size_t>(1, totals.probes)));
+    return totals.scenes > 0 ? 0 : 1;
+}

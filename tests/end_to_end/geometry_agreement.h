@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "adapter/povray_oracle.h"
+#include "core/polygonal/polygon_scene.h"
+
+namespace povpreview {
+
+/// How exported faces and traced probes agree, probe by probe. A probe agrees with the faces if
+/// none of them lies before what it hit, and if it hit a surface of which there are faces, then one
+/// with that identity lies at that depth.
+struct GeometryAgreement {
+    std::size_t probes = 0;
+    std::size_t on_faces = 0;        ///< hit a surface of which there are faces
+    std::size_t missing = 0;         ///< of them, those without a face there
+    std::size_t in_front = 0;        ///< probes with a face before what they hit
+    std::vector<std::size_t> worst;  ///< indices of the first that do not agree
+
+    std::size_t disagreeing() const { return missing + in_front; }
+    double share() const {
+        return probes == 0 ? 0 : static_cast<double>(disagreeing()) / static_cast<double>(probes);
+    }
+};
+
+/// By intersecting the probe's ray with every face whose image surrounds its position.
+GeometryAgreement compare_geometry(const PolygonScene& scene, std::span<const Sample> probes);
+
+/// One position in the image of the inside of each face that has one, up to `limit` of them, by
+/// chance; then the centres of all pixels.
+std::vector<glm::dvec2> probing_positions(const PolygonScene& scene, std::size_t limit,
+                                          unsigned seed);
+
+/// Probes at these positions. Throws Error as PovrayOracle does.
+std::vector<Sample> probe(PovrayOracle& oracle, std::span<const glm::dvec2> positions);
+
+}  // namespace povpreview
