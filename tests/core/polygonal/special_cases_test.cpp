@@ -143,6 +143,39 @@ TEST(SpecialCases, PartsOfOneFlatSurfaceCastOneShadow) {
     EXPECT_NEAR(lengths[1], lengths[0], 1e-6);
 }
 
+TEST(SpecialCases, TransparentFacesHaveEdgesAndSoHasWhatIsBehindThem) {
+    SceneBuilder builder = from_above(5);
+    builder.box({0, .2, 0}, glm::dvec3(.2));
+    builder.style.transparent = true;
+    builder.polygon({{-1, 1, -1}, {1, 1, -1}, {1, 1, 1}, {-1, 1, 1}});
+    builder.polygon({{-.5, 2, -1}, {.5, 2, -1}, {.5, 2, 1}, {-.5, 2, 1}});
+    const auto pieces = find(builder.scene);
+    const auto shown = [&](glm::dvec3 from, glm::dvec3 to) {
+        return covered(pieces, EdgeKind::geometric, project(builder.scene, from),
+                       project(builder.scene, to));
+    };
+    EXPECT_TRUE(shown({-.5, 2, -1}, {-.5, 2, 1}));
+    EXPECT_TRUE(shown({-1, 1, 1}, {1, 1, 1}));  // behind the other
+    EXPECT_TRUE(shown({-.2, .4, -.2}, {.2, .4, -.2}));
+}
+
+TEST(SpecialCases, MirrorsShowTheBorderOfAWideFloor) {
+    for (const double wide : {10., 1e4, 1e6}) {
+        SceneBuilder builder;
+        builder.look({0, 1.5, -4}, {0, 1.5, 1}, 1, 480, 480);
+        builder.style.mirror = 1;
+        builder.polygon({{-2, .2, 1}, {2, .2, 1}, {2, 4, 1}, {-2, 4, 1}});
+        builder.style = {};
+        builder.polygon({{-wide, 0, -wide}, {wide, 0, -wide}, {wide, 0, wide}, {-wide, 0, wide}});
+        // The mirror turns z into 2 - z; it shows x from -2 to 2 at distance 5.
+        const double x = .35 * (wide + 6);
+        const auto pieces = find(builder.scene);
+        EXPECT_TRUE(covered(pieces, EdgeKind::reflection, project(builder.scene, {-x, 0, 2 + wide}),
+                            project(builder.scene, {x, 0, 2 + wide})))
+            << wide;
+    }
+}
+
 TEST(SpecialCases, ChainsOfMirrorsShowTheirDepth) {
     // Two mirrors face each other across x; between them a small box. Each reflection more shows
     // it once more.
