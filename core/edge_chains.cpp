@@ -70,7 +70,7 @@ double weight(const ImageEdge& e) { return e.importance * glm::distance(e.from, 
 /// Drops what is of no use and puts the rest in order, heaviest first.
 void tidy(std::vector<ImageEdge>& pieces, glm::dvec2 size) {
     std::erase_if(pieces, [&](ImageEdge& e) {
-        if (!is_finite(e) || !clip(e.from, e.to, size)) return true;
+        if (!is_finite(e) || !(e.importance >= 0) || !clip(e.from, e.to, size)) return true;
         e.from = onto_border(e.from, size);
         e.to = onto_border(e.to, size);
         return along_border(e, size);

@@ -17,7 +17,13 @@ constexpr std::size_t chain_batch = 128;
 
 void MeshPreviewer::accept_edges(std::vector<EdgeChain>&& chains) {
     if (!options_.constraints || !refining_) return;
-    std::erase_if(chains, [](const EdgeChain& chain) { return chain.vertices.size() < 2; });
+    const auto outside = [&](glm::dvec2 p) {
+        return !(p.x >= 0 && p.y >= 0 && p.x <= width_ && p.y <= height_);
+    };
+    std::erase_if(chains, [&](const EdgeChain& chain) {
+        return chain.vertices.size() < 2 ||
+               std::any_of(chain.vertices.begin(), chain.vertices.end(), outside);
+    });
     chains_.insert(chains_.end(), std::make_move_iterator(chains.begin()),
                    std::make_move_iterator(chains.end()));
     // Of two that weigh the same, the one that came first.

@@ -24,6 +24,7 @@ inline std::vector<glm::vec3> rasterise(const Picture& picture) {
         };
         const glm::dvec2 p(a.position), q(b.position), r(c.position);
         const double area = cross(p, q, r);
+        if (area == 0) continue;  // as GL does
         const int x0 = std::max(0, int(std::floor(std::min({p.x, q.x, r.x}))));
         const int x1 = std::min(w - 1, int(std::ceil(std::max({p.x, q.x, r.x}))));
         const int y0 = std::max(0, int(std::floor(std::min({p.y, q.y, r.y}))));
