@@ -12,7 +12,8 @@
 //   an octagon of the ceiling; in the mirror on the far wall the desk, the chair, the curtain and
 //   the window from the other side, and a picture that hangs outside the camera's own view.
 // Camera: aspect 4:3, meant for 640x480 and up.
-// Options: Declare=Radiosity=1 replaces the constant ambient light by computed indirect light.
+// Options: Declare=Radiosity=1 replaces the constant ambient light by computed indirect light;
+//   Declare=Untextured=1 leaves out the textures that draw edges of their own.
 //
 // Units are metres; x right along the far wall, y up, z into the picture. Furniture stands on
 // y = 0 around its own origin with its front towards -z, and is then turned and put in place.
@@ -21,6 +22,9 @@
 
 #ifndef (Radiosity)
   #declare Radiosity = 0;
+#end
+#ifndef (Untextured)
+  #declare Untextured = 0;
 #end
 
 global_settings {
@@ -156,16 +160,20 @@ light_source {
 #declare Planks = 7;
 #declare FloorBoards = texture {
   pigment {
-    gradient x
-    pigment_map {
-      #for (K, 0, Planks - 1)
-        [K / Planks color srgb <0.25, 0.16, 0.10>]
-        [(K + 0.02) / Planks color srgb <0.25, 0.16, 0.10>]
-        [(K + 0.02) / Planks PlankRow(K)]
-        [(K + 1) / Planks PlankRow(K)]
-      #end
-    }
-    scale Planks * 0.15
+    #if (Untextured)
+      color srgb <0.66, 0.48, 0.31>
+    #else
+      gradient x
+      pigment_map {
+        #for (K, 0, Planks - 1)
+          [K / Planks color srgb <0.25, 0.16, 0.10>]
+          [(K + 0.02) / Planks color srgb <0.25, 0.16, 0.10>]
+          [(K + 0.02) / Planks PlankRow(K)]
+          [(K + 1) / Planks PlankRow(K)]
+        #end
+      }
+      scale Planks * 0.15
+    #end
   }
   finish { Matt }
 }
@@ -557,9 +565,13 @@ light_source {
       Chamfered(<-0.90, DeskY - 0.035, -0.40>, <0.90, DeskY, 0.40>, 0.006)
       texture {
         pigment {
-          PlankGrain(Oak, <0, 0.1, 0>)
-          rotate y * 90
-          scale <2, 1, 2>
+          #if (Untextured)
+            color Oak * 0.9
+          #else
+            PlankGrain(Oak, <0, 0.1, 0>)
+            rotate y * 90
+            scale <2, 1, 2>
+          #end
         }
         finish { Matt }
       }
@@ -1027,6 +1039,10 @@ light_source {
   }
 #end
 
+#if (Untextured)
+#declare ArtDunes = pigment { color srgb <0.85, 0.60, 0.35> }
+#declare ArtTiles = pigment { color srgb <0.60, 0.55, 0.42> }
+#else
 #declare ArtDunes = pigment {
   gradient y
   turbulence <0.15, 0.20, 0>
@@ -1060,6 +1076,7 @@ light_source {
   scale 0.2
   translate <0.1, 0.1, 0.05>
 }
+#end
 
 #macro WallMirror(W, H)
   union {
@@ -1093,15 +1110,19 @@ light_source {
       Block(<-W / 2 + 0.11, 0.012, -D / 2 + 0.11>, <W / 2 - 0.11, 0.014, D / 2 - 0.11>)
       texture {
         pigment {
-          checker
-          pigment { color srgb <0.24, 0.30, 0.40> },
-          pigment {
-            checker color srgb <0.60, 0.26, 0.22>, color srgb <0.72, 0.42, 0.28>
-            scale <0.5, 1, 0.5>
-          }
-          scale <0.125, 1, 0.125>
-          rotate y * 45
-          translate y * -0.5
+          #if (Untextured)
+            color srgb <0.45, 0.32, 0.31>
+          #else
+            checker
+            pigment { color srgb <0.24, 0.30, 0.40> },
+            pigment {
+              checker color srgb <0.60, 0.26, 0.22>, color srgb <0.72, 0.42, 0.28>
+              scale <0.5, 1, 0.5>
+            }
+            scale <0.125, 1, 0.125>
+            rotate y * 45
+            translate y * -0.5
+          #end
         }
         finish { Matt }
       }
