@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <glm/vec3.hpp>
+#include <span>
 
 #include "core/polygonal/interval_set.h"
 #include "core/polygonal/shadow_volumes.h"
@@ -20,18 +22,19 @@ class Contrast {
    public:
     explicit Contrast(const FlatFaces& faces) : faces_(faces) {}
 
-    /// Whether a viewpoint sees surfaces that differ on both sides of an edge at a point of it.
-    bool of_surfaces(const ShadowVolumes& volumes, const glm::dvec3& p,
-                     const glm::dvec3& along) const;
+    /// Whether a viewpoint sees surfaces that differ on both sides of an edge of some faces, at a
+    /// point of it.
+    bool of_surfaces(const ShadowVolumes& volumes, std::span<const std::uint32_t> faces,
+                     const glm::dvec3& p, const glm::dvec3& along) const;
     /// Whether a face is lit on one side only of a shadow's border at a point of it.
     bool of_light(const ShadowVolumes& light, std::uint32_t face, const glm::dvec3& p,
                   const glm::dvec3& along) const;
 
    private:
-    bool continues(const ShadowVolumes& volumes, const ShadowVolumes::Sight& a,
-                   const ShadowVolumes::Sight& b, const glm::dvec3& at_a,
-                   const glm::dvec3& at_b) const;
-    bool lit(const ShadowVolumes& light, const glm::dvec3& p) const;
+    bool continue_each_other(std::uint32_t a, std::uint32_t b, const glm::dvec3& at_b,
+                             double gap) const;
+    enum class Light : std::uint8_t { none, filtered, full };
+    Light falling(const ShadowVolumes& light, const glm::dvec3& p) const;
 
     const FlatFaces& faces_;
 };

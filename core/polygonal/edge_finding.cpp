@@ -2,6 +2,7 @@
 #include "core/polygonal/edge_finding.h"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <numeric>
 
@@ -93,13 +94,15 @@ class Finder {
         return found_(std::exchange(pieces_, {}));
     }
 
-    /// Adds what the image shows, by a view, of a segment. Of a `doubtful` one that is only what
-    /// there is to see at it; others are believed unless the middle tells better.
-    void show(const View& view, const SpaceSegment& segment, bool doubtful, float importance) {
+    /// Adds what the image shows, by a view, of a segment on faces. Of a `doubtful` one that is
+    /// only what there is to see at it; others are believed unless the middle tells better.
+    void show(const View& view, const SpaceSegment& segment, std::span<const std::uint32_t> faces,
+              bool doubtful, float importance) {
         visible_.assign({});
         view.hide(segment, visible_);
         const auto contrast = [&](double t) {
-            return contrast_.of_surfaces(view.volumes(), segment.at(t), segment.b - segment.a);
+            return contrast_.of_surfaces(view.volumes(), faces, segment.at(t),
+                                         segment.b - segment.a);
         };
         for (const Interval& part : visible_.intervals())
             keep_where(part, !doubtful, contrast, [&](const Interval& kept) {
@@ -128,22 +131,19 @@ class Finder {
             if (view.clip_to_window(segment, part) && edges_.any(edge, shown)) {
                 const bool outline = edges_.silhouette(edge, view.volumes(), shown);
                 const float importance = outline ? 1 : edge.crease;
-                if (importance > 0) show(view, segment, !edge.regular(), importance);
+                if (importance > 0)
+                    show(view, segment, edges_.faces(edge), !edge.regular(), importance);
             }
             if (!look()) return false;
         }
         return true;
     }
 
-    /// Where faces cross, and where the shadow of one that is not seen itself begins.
     bool crossings(const View& view) {
         for (const Crossing& crossing : crossings_) {
-            const Face &f = faces_.face(crossing.f), &g = faces_.face(crossing.g);
-            if (view.shows(f) && view.shows(g))
-                show(view, crossing.segment, false, crossing_step);
-            else if (!lights_.empty() && (view.shows(f) ? g : f).casts_shadow &&
-                     (view.shows(f) || view.shows(g)))
-                show_shadow(view, crossing.segment, lights_.front().number, shadow_step);
+            if (view.shows(faces_.face(crossing.f)) && view.shows(faces_.face(crossing.g)))
+                show(view, crossing.segment, std::array{crossing.f, crossing.g}, false,
+                     crossing_step);
             if (!look()) return false;
         }
         return true;
@@ -151,29 +151,29 @@ class Finder {
 
     /// A parallel view begins at the camera's plane, where it cuts faces open.
     void near_border() {
-        if (scene_.camera.eye.w != 0) return;
-        for (const SpaceSegment& segment : cuts_by_plane(faces_, scene_.camera.depth))
-            show(eye_, segment, false, 1);
+        std::optional<NearPlane> plane = eye_.volumes().near();
+        if (!plane) return;
+        // What is on the plane itself is not in the picture.
+        plane->on += 10 * contact * faces_.scale(plane->on) * plane->normal;
+        for (const SpaceSegment& segment : find_cuts(faces_, *plane))
+            show(eye_, segment, {}, false, 1);
     }
 
     bool shadows(const View& view, const Shadows& shadows) {
         for (const ShadowPiece& piece : shadows.pieces) {
             const Face& face = faces_.face(piece.face);
             const bool lit = view.volumes().facing(piece.face) == piece.facing;
-            if (view.shows(face) && (lit || face.lit_from_behind))
-                show_shadow(view, piece.segment, shadows.light, piece.importance);
+            if (view.shows(face) && (lit || face.lit_from_behind)) show(view, piece, shadows.light);
             if (!look()) return false;
         }
         return true;
     }
 
-    void show_shadow(const View& view, const SpaceSegment& segment, std::uint32_t light,
-                     float importance) {
+    void show(const View& view, const ShadowPiece& piece, std::uint16_t light) {
         visible_.assign({});
-        view.hide(segment, visible_);
+        view.hide(piece.segment, visible_);
         for (const Interval& part : visible_.intervals())
-            add(view, segment, part, EdgeKind::shadow, static_cast<std::uint16_t>(light),
-                importance);
+            add(view, piece.segment, part, EdgeKind::shadow, light, piece.importance);
     }
 
     // ---- shadows
@@ -202,13 +202,31 @@ class Finder {
         const ShadowVolumes volumes(faces_, hierarchy_, light.position, Viewer::light);
         shadows_.push_back({static_cast<std::uint16_t>(light.number), {}});
         const float strength = shadow_step * light.brightness / all_of(lights_);
-        const auto casts = [](const Face& face) { return face.casts_shadow; };
+        // What transparent things take from the light is little, and mostly at no sharp border.
+        const auto casts = [](const Face& f) { return f.casts_shadow && !f.transparent; };
         for (const FaceEdges::Edge& edge : edges_.edges()) {
             if (edges_.silhouette(edge, volumes, casts))
                 cast(volumes, edges_.segment(edge), !edge.regular(), strength);
             if (!look()) return false;
         }
+        for (const Crossing& crossing : crossings_) {
+            cast_along(volumes, crossing.segment, crossing.f, crossing.g, strength);
+            cast_along(volumes, crossing.segment, crossing.g, crossing.f, strength);
+        }
         return true;
+    }
+
+    /// The shadow of a face that is not seen itself begins where it cuts another one.
+    void cast_along(const ShadowVolumes& volumes, const SpaceSegment& crossing, std::uint32_t from,
+                    std::uint32_t on, float strength) {
+        if (faces_.face(from).visible || !faces_.face(from).casts_shadow) return;
+        const auto contrast = [&](double t) {
+            return contrast_.of_light(volumes, on, crossing.at(t), crossing.b - crossing.a);
+        };
+        keep_where({}, false, contrast, [&](const Interval& kept) {
+            shadows_.back().pieces.push_back(
+                {{crossing.at(kept.from), crossing.at(kept.to)}, on, volumes.facing(on), strength});
+        });
     }
 
     void cast(const ShadowVolumes& volumes, const SpaceSegment& segment, bool doubtful,

@@ -68,9 +68,9 @@ std::vector<Crossing> find_crossings(const FlatFaces& faces, const FaceHierarchy
     return crossings;
 }
 
-std::vector<SpaceSegment> cuts_by_plane(const FlatFaces& faces, const glm::dvec4& plane) {
+std::vector<SpaceSegment> find_cuts(const FlatFaces& faces, const NearPlane& plane) {
     std::vector<SpaceSegment> cuts;
-    const auto height = [&](const glm::dvec3& p) { return glm::dot(plane, glm::dvec4(p, 1)); };
+    const auto height = [&](const glm::dvec3& p) { return plane.height(p); };
     for (std::uint32_t face = 0; face < faces.size(); ++face) {
         SpaceSegment line;
         if (faces.face(face).visible && cut(faces, face, height, line)) cuts.push_back(line);

@@ -21,7 +21,7 @@ struct Crossing {
 std::vector<Crossing> find_crossings(const FlatFaces& faces, const FaceHierarchy& hierarchy,
                                      std::size_t most);
 
-/// Where visible faces pass through a plane, on which dot(plane, (x, y, z, 1)) = 0.
-std::vector<SpaceSegment> cuts_by_plane(const FlatFaces& faces, const glm::dvec4& plane);
+/// Where visible faces pass through a plane.
+std::vector<SpaceSegment> find_cuts(const FlatFaces& faces, const NearPlane& plane);
 
 }  // namespace povpreview

@@ -30,12 +30,14 @@ FaceEdges::FaceEdges(const FlatFaces& faces) : faces_(faces) {
     std::sort(halves.begin(), halves.end(), [](const Half& p, const Half& q) {
         return std::tie(p.a, p.b, p.face) < std::tie(q.a, q.b, q.face);
     });
-    uses_.reserve(halves.size());
+    users_.reserve(halves.size());
+    forwards_.reserve(halves.size());
     for (const Half& half : halves) {
         if (edges_.empty() || edges_.back().a != half.a || edges_.back().b != half.b)
-            edges_.push_back({half.a, half.b, static_cast<std::uint32_t>(uses_.size()), 0, 0});
+            edges_.push_back({half.a, half.b, static_cast<std::uint32_t>(users_.size()), 0, 0});
         ++edges_.back().count;
-        uses_.push_back({half.face, half.forward});
+        users_.push_back(half.face);
+        forwards_.push_back(half.forward);
     }
     for (Edge& edge : edges_) edge.crease = crease(edge);
 }
@@ -45,16 +47,16 @@ float FaceEdges::crease(const Edge& edge) const {
     float least = 1;
     for (std::uint32_t i = edge.first; i < edge.first + edge.count; ++i)
         for (std::uint32_t j = i + 1; j < edge.first + edge.count; ++j)
-            least = std::min(least, crease_between(uses_[i], uses_[j]));
+            least = std::min(least, crease_between(i, j));
     return edge.count > 2 ? std::max(least, least_crease) : least;
 }
 
-float FaceEdges::crease_between(const Use& f, const Use& g) const {
-    const Face &p = faces_.face(f.face), &q = faces_.face(g.face);
+float FaceEdges::crease_between(std::uint32_t use, std::uint32_t other) const {
+    const Face &p = faces_.face(users_[use]), &q = faces_.face(users_[other]);
     if (p.smooth != 0 && p.smooth == q.smooth) return 0;
-    const glm::dvec3 &m = faces_[f.face].normal, &n = faces_[g.face].normal;
+    const glm::dvec3 &m = faces_[users_[use]].normal, &n = faces_[users_[other]].normal;
     // Faces that run along the edge in opposite directions have normals to the same side.
-    const bool unfolded = (f.forward != g.forward) == (glm::dot(m, n) > 0);
+    const bool unfolded = (forwards_[use] != forwards_[other]) == (glm::dot(m, n) > 0);
     if (unfolded && coplanar(m, n)) return p.material == q.material ? 0 : material_step;
     if (p.material != q.material) return material_step;
     return std::clamp(static_cast<float>(glm::length(glm::cross(m, n))), least_crease, most_crease);

@@ -28,6 +28,9 @@ class FaceEdges {
     };
     std::span<const Edge> edges() const { return edges_; }
 
+    std::span<const std::uint32_t> faces(const Edge& edge) const {
+        return std::span(users_).subspan(edge.first, edge.count);
+    }
     SpaceSegment segment(const Edge& edge) const {
         return {faces_.point(edge.a), faces_.point(edge.b), edge.a, edge.b};
     }
@@ -40,22 +43,19 @@ class FaceEdges {
     /// Whether any of the edge's faces counts.
     template <class Counts>
     bool any(const Edge& edge, const Counts& counts) const {
-        const auto uses = std::span(uses_).subspan(edge.first, edge.count);
-        return std::any_of(uses.begin(), uses.end(),
-                           [&](const Use& use) { return counts(faces_.face(use.face)); });
+        const auto users = faces(edge);
+        return std::any_of(users.begin(), users.end(),
+                           [&](std::uint32_t face) { return counts(faces_.face(face)); });
     }
 
    private:
-    struct Use {
-        std::uint32_t face;
-        bool forward;  ///< the face's corners run from a to b
-    };
     float crease(const Edge& edge) const;
-    float crease_between(const Use& f, const Use& g) const;
+    float crease_between(std::uint32_t use, std::uint32_t other) const;
 
     const FlatFaces& faces_;
     std::vector<Edge> edges_;
-    std::vector<Use> uses_;
+    std::vector<std::uint32_t> users_;    // faces, those of an edge side by side
+    std::vector<std::uint8_t> forwards_;  // beside them: the face's corners run from a to b
 };
 
 /// A face whose corners are seen counter-clockwise lies to the left of its edges, and one seen from
@@ -64,10 +64,10 @@ template <class Counts>
 bool FaceEdges::silhouette(const Edge& edge, const ShadowVolumes& volumes,
                            const Counts& counts) const {
     bool left = false, right = false;
-    for (const Use& use : std::span(uses_).subspan(edge.first, edge.count)) {
-        const int facing = volumes.facing(use.face);
-        if (facing == 0 || !counts(faces_.face(use.face))) continue;
-        ((facing > 0) == use.forward ? left : right) = true;
+    for (std::uint32_t use = edge.first; use < edge.first + edge.count; ++use) {
+        const int facing = volumes.facing(users_[use]);
+        if (facing == 0 || !counts(faces_.face(users_[use]))) continue;
+        ((facing > 0) == (forwards_[use] != 0) ? left : right) = true;
     }
     return left != right;
 }

@@ -85,15 +85,15 @@ ShadowVolumes::ShadowVolumes(const FlatFaces& faces, const FaceHierarchy& hierar
     volumes_.reserve(faces.size());
     for (std::size_t i = 0; i < faces.size(); ++i) {
         const int facing = faces.facing(i, viewpoint);
-        volumes_.push_back({static_cast<std::uint32_t>(sides_.size()),
-                            static_cast<std::int8_t>(facing), facing != 0 && blocks(faces.face(i)),
-                            std::abs(faces.height(i, viewpoint))});
+        const bool there = facing != 0 && is_there(faces.face(i));
+        volumes_.push_back(
+            {static_cast<std::uint32_t>(sides_.size()), static_cast<std::int8_t>(facing), there,
+             there && !faces.face(i).transparent, std::abs(faces.height(i, viewpoint))});
         if (facing != 0) add_sides(i);
     }
 }
 
-bool ShadowVolumes::blocks(const Face& face) const {
-    if (face.transparent) return false;
+bool ShadowVolumes::is_there(const Face& face) const {
     switch (viewer_) {
         case Viewer::eye:
             return face.visible;
@@ -263,6 +263,10 @@ glm::dvec3 ShadowVolumes::behind(const glm::dvec3& p, double nearness) const {
     return viewpoint_.w != 0 ? v + (p - v) / nearness : p + nearness * v;
 }
 
+bool ShadowVolumes::in_front(const NearPlane& near, const glm::dvec3& p) const {
+    return near.height(p) > contact * faces_.scale(p);
+}
+
 std::optional<ShadowVolumes::Sight> ShadowVolumes::first_face(const glm::dvec3& through) const {
     const glm::dvec3 v(viewpoint_), line = glm::normalize(sight_line(viewpoint_, through));
     const glm::dvec3 from = viewpoint_.w != 0 ? v : through - farthest_sight * line;
@@ -276,11 +280,11 @@ std::optional<ShadowVolumes::Sight> ShadowVolumes::first_face(const glm::dvec3& 
     const SegmentMisses misses(from, through + farthest_sight * line);
     hierarchy_.search(misses, line, [&](std::uint32_t face) {
         const Volume& volume = volumes_[face];
-        if (!volume.blocks || !hits(face)) return true;
+        if (!volume.there || !hits(face)) return true;
         const double height = volume.facing * faces_.height(face, through);
         const double nearness = viewpoint_.w - height / volume.height;
         if (first && first->nearness >= nearness) return true;
-        if (near_ && near_->height(behind(through, nearness)) <= 0) return true;
+        if (near_ && !in_front(*near_, behind(through, nearness))) return true;
         first = Sight{face, nearness};
         return true;
     });

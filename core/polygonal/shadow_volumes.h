@@ -87,7 +87,7 @@ class ShadowVolumes {
     double side_of(std::size_t face, std::uint32_t edge, const glm::dvec3& p,
                    std::uint32_t point = SpaceSegment::constructed) const;
 
-    /// What is met first on the line of sight through a point.
+    /// What is met first on the line of sight through a point, transparent or not.
     struct Sight {
         std::uint32_t face;
         double nearness;  ///< as Backdrop's: 1 at the point itself, from far away 0
@@ -99,7 +99,8 @@ class ShadowVolumes {
     struct Volume {
         std::uint32_t first;  ///< of its planes in sides_, one for each edge of the face
         std::int8_t facing;
-        bool blocks;
+        bool there;     ///< for this viewer
+        bool blocks;    ///< and lets nothing through
         double height;  ///< of the viewpoint over the face, on the side it sees: positive
     };
     /// A plane through the viewpoint and an edge of a face, positive inside the volume.
@@ -112,7 +113,7 @@ class ShadowVolumes {
     };
     struct Sheet;
 
-    bool blocks(const Face& face) const;
+    bool is_there(const Face& face) const;
     void add_sides(std::size_t face);
     bool clip_to_sides(const SpaceSegment& segment, std::size_t face, Interval& part) const;
     Ends heights(const SpaceSegment& segment, std::size_t face) const;
@@ -123,6 +124,7 @@ class ShadowVolumes {
                  Backdrop& backdrop) const;
     glm::dvec3 farthest(const SpaceSegment& segment, const std::vector<Backdrop>& backdrops,
                         const glm::dvec3& direction) const;
+    bool in_front(const NearPlane& near, const glm::dvec3& p) const;
     bool clip_to_near(const SpaceSegment& segment, std::size_t face, const Ends& heights,
                       Interval& part) const;
 

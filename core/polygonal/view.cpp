@@ -10,6 +10,14 @@
 namespace povpreview {
 namespace {
 
+/// A parallel view begins at the camera's plane, a perspective one at the eye.
+std::optional<NearPlane> camera_plane(const StraightCamera& camera) {
+    if (camera.eye.w != 0) return std::nullopt;
+    const glm::dvec3 normal(camera.depth);
+    const double length = glm::length(normal);
+    return NearPlane{normal / length, -normal * (camera.depth.w / (length * length))};
+}
+
 NearPlane seen_side(const View& before, const FlatFaces& faces, std::size_t mirror) {
     return {faces[mirror].normal * double(before.volumes().facing(mirror)), faces[mirror].on};
 }
@@ -24,7 +32,7 @@ View::View(const PolygonScene& scene, const FlatFaces& faces, const FaceHierarch
     : scene_(scene),
       faces_(faces),
       hierarchy_(hierarchy),
-      volumes_(faces, hierarchy, scene.camera.eye, Viewer::eye) {}
+      volumes_(faces, hierarchy, scene.camera.eye, Viewer::eye, camera_plane(scene.camera)) {}
 
 View::View(const View& before, std::size_t mirror)
     : scene_(before.scene_),
