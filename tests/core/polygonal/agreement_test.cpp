@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdlib>
+
 #include "tests/core/polygonal/edge_laws.h"
 
 /// Edges found without rays agree with brute force, over random small scenes of every family.
@@ -8,7 +11,12 @@ namespace povpreview {
 namespace {
 
 constexpr int image_size = 480;
-constexpr int scenes_per_family = 40;
+
+/// More by POVPREVIEW_SCENES=1000, to look for what is rare.
+int scenes_per_family() {
+    const char* asked = std::getenv("POVPREVIEW_SCENES");
+    return asked ? std::max(1, std::atoi(asked)) : 40;
+}
 
 class Agreement : public testing::TestWithParam<Family> {
    protected:
@@ -16,7 +24,8 @@ class Agreement : public testing::TestWithParam<Family> {
     template <class Law>
     Tally over_scenes(Law law, std::uint64_t first_seed) {
         Tally sum;
-        for (std::uint64_t seed = first_seed; seed < first_seed + scenes_per_family; ++seed) {
+        for (std::uint64_t seed = first_seed;
+             seed < first_seed + std::uint64_t(scenes_per_family()); ++seed) {
             const PolygonScene scene = random_scene(GetParam(), seed, image_size);
             Dice dice(seed);
             const EdgeLaws laws(scene, GetParam() == Family::mirror_hall ? 2 : 1);

@@ -11,6 +11,7 @@ namespace povpreview {
 namespace {
 
 constexpr Real contact = 1e-6L;     ///< of the line of sight's length: what touches hides nothing
+constexpr Real edge_on = 3e-3L;     ///< the same of a line of sight: the face is but a line
 constexpr Real graze = 1e-7L;       ///< sine of an angle at which light runs along a face
 constexpr Real near_plane = 2e-6L;  ///< of the distance: so near to a plane, it may touch
 
@@ -156,7 +157,7 @@ void BruteForce::follow(const Ray& ray, const Hit& from, Sight& sight) const {
                 .mirrors = from.mirrors,
                 .path = from.path};
         const Real slope = glm::dot(planes_[hit.face].normal, ray.direction) / length;
-        if (std::abs(slope) < graze) sight.tie = true;
+        if (std::abs(slope) < edge_on) sight.edge_on = true;
         light(hit, -ray.direction, sight);
         sight.hits.push_back(hit);
         if (face.mirror > 0 && int(from.mirrors) < mirror_depth_) {

@@ -36,7 +36,8 @@ struct Hit {
 /// mirrors and what is in them.
 struct Sight {
     std::vector<Hit> hits;
-    bool tie = false;  ///< too close a decision: faces at one depth, a light along a face
+    bool edge_on = false;  ///< a face among them is but a line
+    bool tie = false;      ///< too close a decision: faces at one depth, a light along a face
 };
 
 /// Visibility by plain loops over all faces, in long double: the reference for edges found without

@@ -85,7 +85,8 @@ bool EdgeLaws::asks_for_piece(const Sight& a, const Sight& b, const std::optiona
     return true;
 }
 
-bool EdgeLaws::served(glm::dvec2 spot, const Change& change) const {
+bool EdgeLaws::served(glm::dvec2 spot, const Change& change, bool edge_on) const {
+    const double reach = edge_on ? edge_on_tolerance : tolerance;
     return std::any_of(pieces_.begin(), pieces_.end(), [&](const ImageEdge& piece) {
         // Where borders of several kinds coincide, the one in front stands for all.
         bool fits = piece.kind <= change.kind;
@@ -94,7 +95,7 @@ bool EdgeLaws::served(glm::dvec2 spot, const Change& change) const {
             for (std::size_t l = 0; l < scene_.lights.size(); ++l)
                 fits |= (change.lights >> l & 1U) && scene_.lights[l].number == piece.light;
         }
-        return fits && distance_to(piece, spot) <= tolerance;
+        return fits && distance_to(piece, spot) <= reach;
     });
 }
 
@@ -128,7 +129,9 @@ Tally EdgeLaws::neighbours_are_parted(Dice& dice, int limit) const {
             Sight a = brute_.look(before), b = brute_.look(after);
             a.tie = brute_.look(before - along).tie, b.tie = brute_.look(after + along).tie;
             const auto change = change_between(brute_, a, b);
-            if (!asks_for_piece(a, b, change, tally) || served(after, *change)) continue;
+            if (!asks_for_piece(a, b, change, tally) ||
+                served(after, *change, a.edge_on || b.edge_on))
+                continue;
             ++tally.broken;
             tally.note(describe(after, *change));
         }
@@ -142,7 +145,8 @@ void EdgeLaws::ask_across(glm::dvec2 spot, glm::dvec2 along, const std::string& 
     const glm::dvec2 aside = beside * glm::normalize(glm::dvec2(-along.y, along.x));
     const Sight a = brute_.look(spot - aside), b = brute_.look(spot + aside);
     const auto change = change_between(brute_, a, b);
-    if (!asks_for_piece(a, b, change, tally) || served(spot, *change)) return;
+    if (!asks_for_piece(a, b, change, tally) || served(spot, *change, a.edge_on || b.edge_on))
+        return;
     ++tally.broken;
     tally.note(origin + " " + describe(spot, *change));
 }
@@ -221,13 +225,12 @@ Tally EdgeLaws::pieces_part_the_picture(Dice& dice, EdgeKind kind) const {
         }
         ++tally.asked;
         if (change_between(brute_, a, b)) continue;
-        if (kind == EdgeKind::geometric && !visible_edge_at(spot)) {
-            ++tally.broken;
-            tally.note(fmt::format("{} piece ({}, {}) to ({}, {}) parts nothing at ({}, {})",
-                                   name(kind), piece.from.x, piece.from.y, piece.to.x, piece.to.y,
-                                   spot.x, spot.y));
-        } else
-            ++tally.idle;
+        const bool broken = kind == EdgeKind::geometric && !visible_edge_at(spot);
+        ++(broken ? tally.broken : tally.idle);
+        tally.note(fmt::format(
+            "{} piece ({:.6f}, {:.6f}) to ({:.6f}, {:.6f}), light {}: {} at ({:.6f}, {:.6f})",
+            name(kind), piece.from.x, piece.from.y, piece.to.x, piece.to.y, piece.light,
+            broken ? "parts nothing" : "no contrast", spot.x, spot.y));
     }
     return tally;
 }

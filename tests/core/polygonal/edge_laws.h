@@ -44,13 +44,14 @@ class EdgeLaws {
 
     const std::vector<ImageEdge>& pieces() const { return pieces_; }
 
-    /// How far from the spot a piece may be, pixels.
-    static constexpr double tolerance = .01;
+    /// How far from the spot a piece may be, pixels; where faces are seen edge on, one of a face's
+    /// sides stands for both.
+    static constexpr double tolerance = .01, edge_on_tolerance = .05;
 
    private:
     bool asks_for_piece(const Sight& a, const Sight& b, const std::optional<Change>& change,
                         Tally& tally) const;
-    bool served(glm::dvec2 spot, const Change& change) const;
+    bool served(glm::dvec2 spot, const Change& change, bool edge_on) const;
     std::string describe(glm::dvec2 spot, const Change& change) const;
     void ask_across(glm::dvec2 spot, glm::dvec2 along, const std::string& origin,
                     Tally& tally) const;
