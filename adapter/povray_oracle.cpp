@@ -55,7 +55,8 @@ void PovrayOracle::start() {
     geometry_ended_ = false;
     last_look_ = Clock::now();
     try {
-        process_ = std::make_unique<TracerProcess>(settings_.program, settings_.arguments);
+        process_ = std::make_unique<TracerProcess>(settings_.program, settings_.arguments,
+                                                   settings_.geometry);
     } catch (const Error& error) {
         broken_ = error;
         throw;

@@ -46,6 +46,7 @@ class PovrayOracle : public SampleOracle {
     struct Settings {
         std::string program;                 ///< the patched POV-Ray
         std::vector<std::string> arguments;  ///< POV-Ray's options, see povray_options.h
+        bool geometry = true;                ///< ask for the scene's polygons
         /// Silence while answers are outstanding that counts as a stall. Parsing has no limit.
         std::chrono::milliseconds stall_timeout = std::chrono::seconds(60);
     };

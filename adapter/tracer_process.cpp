@@ -68,12 +68,18 @@ std::vector<char*> pointers(std::vector<std::string>& strings) {
     return result;
 }
 
-std::vector<std::string> environment(int wire) {
+/// Ours, but for what tells the tracer how to be one.
+std::vector<std::string> environment(int wire, bool geometry) {
     std::vector<std::string> result;
-    constexpr std::string_view name = "POVPREVIEW_WIRE=";
-    for (char** e = environ; *e; ++e)
-        if (!std::string_view(*e).starts_with(name)) result.emplace_back(*e);
-    result.push_back(fmt::format("{}{}", name, wire));
+    constexpr std::string_view wire_name = "POVPREVIEW_WIRE=",
+                               geometry_name = "POVPREVIEW_GEOMETRY=";
+    for (char** e = environ; *e; ++e) {
+        const std::string_view variable = *e;
+        if (!variable.starts_with(wire_name) && !variable.starts_with(geometry_name))
+            result.emplace_back(variable);
+    }
+    result.push_back(fmt::format("{}{}", wire_name, wire));
+    if (geometry) result.push_back(fmt::format("{}1", geometry_name));
     return result;
 }
 
@@ -117,13 +123,13 @@ void FileDescriptor::reset() {
     fd_ = -1;
 }
 
-TracerProcess::TracerProcess(const std::string& program,
-                             const std::vector<std::string>& arguments) {
+TracerProcess::TracerProcess(const std::string& program, const std::vector<std::string>& arguments,
+                             bool geometry) {
     Ends wire = socket_pair(program), messages = message_pipe(program),
          verdict = message_pipe(program);
     std::vector<std::string> words{program};
     words.insert(words.end(), arguments.begin(), arguments.end());
-    std::vector<std::string> variables = environment(wire.theirs.get());
+    std::vector<std::string> variables = environment(wire.theirs.get(), geometry);
     const std::vector<char*> argv = pointers(words), envp = pointers(variables);
 
     // fork, not posix_spawn: that cannot tie the child's life to ours.

@@ -40,14 +40,16 @@ class FileDescriptor {
 
 /// A tracer running as a child, with one end of a private stream socket to it.
 ///
-/// The child gets POVPREVIEW_WIRE=<fd> in its environment, no other open descriptor, no input, no
+/// The child gets POVPREVIEW_WIRE=<fd> in its environment, POVPREVIEW_GEOMETRY=1 where the scene's
+/// polygons are wanted, no other open descriptor, no input, no
 /// output but a pipe for its messages, a process group of its own (so that Ctrl-C reaches it only
 /// through us), and the order to die with the thread that started it (Linux ties that to the
 /// thread, not the process: start it on one that lives as long as the tracer is to live).
 class TracerProcess {
    public:
     /// Starts `program`, looked up in PATH if it has no slash. Throws Error if that fails.
-    TracerProcess(const std::string& program, const std::vector<std::string>& arguments);
+    TracerProcess(const std::string& program, const std::vector<std::string>& arguments,
+                  bool geometry);
     /// Ends and reaps the child; see stop().
     ~TracerProcess();
     TracerProcess(const TracerProcess&) = delete;

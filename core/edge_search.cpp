@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "core/edge_search.h"
 
-#include <chrono>
 #include <utility>
 
 #include "core/edge_chains.h"
@@ -13,8 +12,9 @@ using Clock = std::chrono::steady_clock;
 /// Edges known within this time come in one part.
 constexpr std::chrono::milliseconds first_part(250);
 
-EdgeSearch::EdgeSearch(PolygonScene scene, const EdgeFinding& options)
-    : scene_(std::move(scene)), options_(options), thread_([this] { run(); }) {}
+EdgeSearch::EdgeSearch(std::function<std::optional<PolygonScene>()> make_scene,
+                       const EdgeFinding& options)
+    : make_scene_(std::move(make_scene)), options_(options), thread_([this] { run(); }) {}
 
 EdgeSearch::~EdgeSearch() {
     stop_ = true;
@@ -23,25 +23,35 @@ EdgeSearch::~EdgeSearch() {
 
 void EdgeSearch::run() {
     const Clock::time_point begin = Clock::now();
-    Clock::duration next = first_part;
-    find_edges(scene_, options_, [&](std::vector<ImageEdge>&& pieces) {
-        pieces_.insert(pieces_.end(), pieces.begin(), pieces.end());
-        if (Clock::now() - begin >= next) {
-            hand_over();
-            next = 2 * (Clock::now() - begin);
-        }
-        return !stop_.load();
-    });
-    hand_over();
+    if (const std::optional<PolygonScene> scene = make_scene_()) search(*scene);
+    report_.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
     const std::lock_guard lock(mutex_);
     finished_ = true;
     changed_.notify_all();
 }
 
-void EdgeSearch::hand_over() {
+void EdgeSearch::search(const PolygonScene& scene) {
+    const glm::ivec2 size{scene.width, scene.height};
+    report_.scene = true;
+    report_.faces = scene.faces.size();
+    const Clock::time_point begin = Clock::now();
+    Clock::duration next = first_part;
+    find_edges(scene, options_, [&](std::vector<ImageEdge>&& pieces) {
+        pieces_.insert(pieces_.end(), pieces.begin(), pieces.end());
+        if (Clock::now() - begin >= next) {
+            hand_over(size);
+            next = 2 * (Clock::now() - begin);
+        }
+        return !stop_.load();
+    });
+    hand_over(size);
+}
+
+void EdgeSearch::hand_over(glm::ivec2 image_size) {
     if (pieces_.empty() || stop_) return;
-    std::vector<EdgeChain> chains =
-        chain_edges(std::exchange(pieces_, {}), {scene_.width, scene_.height});
+    report_.pieces += pieces_.size();
+    std::vector<EdgeChain> chains = chain_edges(std::exchange(pieces_, {}), image_size);
+    report_.chains += chains.size();
     const std::lock_guard lock(mutex_);
     chains_.insert(chains_.end(), std::make_move_iterator(chains.begin()),
                    std::make_move_iterator(chains.end()));
@@ -52,9 +62,9 @@ std::vector<EdgeChain> EdgeSearch::take() {
     return std::exchange(chains_, {});
 }
 
-void EdgeSearch::wait() {
+void EdgeSearch::wait_for(std::chrono::milliseconds patience) {
     std::unique_lock lock(mutex_);
-    changed_.wait(lock, [this] { return finished_.load(); });
+    changed_.wait_for(lock, patience, [this] { return finished_.load(); });
 }
 
 }  // namespace povpreview

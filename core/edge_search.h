@@ -2,8 +2,11 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <condition_variable>
+#include <functional>
 #include <mutex>
+#include <optional>
 #include <thread>
 #include <vector>
 
@@ -14,12 +17,13 @@ namespace povpreview {
 
 /// Finds a scene's edges in a thread of its own, while the first samples are traced.
 ///
-/// Where that is a matter of a moment, the edges come all at once, as the fewest and longest chains.
-/// Else they come in parts, the most important ones first; each part takes as long again as all
-/// before it, so that chains of different parts, which cannot be joined, stay few.
+/// Where that is a matter of a moment, the edges come all at once, as the fewest and longest
+/// chains. Else they come in parts, the most important ones first; each part takes as long again as
+/// all before it, so that chains of different parts, which cannot be joined, stay few.
 class EdgeSearch {
    public:
-    EdgeSearch(PolygonScene scene, const EdgeFinding& options);
+    /// `make_scene` is called once in that thread; without a scene there are no edges.
+    EdgeSearch(std::function<std::optional<PolygonScene>()> make_scene, const EdgeFinding& options);
     /// Ends the search wherever it is.
     ~EdgeSearch();
     EdgeSearch(const EdgeSearch&) = delete;
@@ -29,16 +33,27 @@ class EdgeSearch {
     std::vector<EdgeChain> take();
     /// Nothing more will come than what `take` gives now.
     bool finished() const { return finished_; }
-    /// Waits for the search to finish.
-    void wait();
+    /// Waits for the search to finish, at most so long.
+    void wait_for(std::chrono::milliseconds patience);
+
+    /// What the search took and found.
+    struct Report {
+        bool scene = false;  ///< there was one
+        std::size_t faces = 0, pieces = 0, chains = 0;
+        double seconds = 0;
+    };
+    /// REQUIRES: finished().
+    const Report& report() const { return report_; }
 
    private:
     void run();
-    void hand_over();
+    void search(const PolygonScene& scene);
+    void hand_over(glm::ivec2 image_size);
 
-    const PolygonScene scene_;
+    const std::function<std::optional<PolygonScene>()> make_scene_;
     const EdgeFinding options_;
-    std::vector<ImageEdge> pieces_;  // the searching thread's own
+    std::vector<ImageEdge> pieces_;  // the searching thread's own, as is the report until finished
+    Report report_;
 
     std::atomic<bool> stop_{false}, finished_{false};
     std::mutex mutex_;

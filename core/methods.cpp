@@ -41,6 +41,8 @@ std::vector<std::string> method_names() {
     return names;
 }
 
+bool method_wants_edges(std::string_view name) { return make_previewer(name, 1, 1)->wants_edges(); }
+
 std::unique_ptr<Previewer> make_previewer(std::string_view name, int width, int height) {
     for (const Method& method : methods)
         if (name == method.name) return method.make(width, height);

@@ -36,6 +36,7 @@ Oracle::Oracle() {
     socket_ = static_cast<int>(socket);
     fcntl(socket_, F_SETFD, FD_CLOEXEC);  // not for the commands that a scene's options may run
     unsetenv("POVPREVIEW_WIRE");
+    geometry_wanted_ = std::getenv("POVPREVIEW_GEOMETRY") != nullptr;
     prctl(PR_SET_PDEATHSIG, SIGKILL);
 }
 

@@ -20,6 +20,8 @@ class Oracle {
     static Oracle& instance();
 
     bool enabled() const { return socket_ >= 0; }
+    /// Whether the previewer wants the scene's polygons: POVPREVIEW_GEOMETRY is in the environment.
+    bool geometry_wanted() const { return geometry_wanted_; }
     WorkQueue& queue() { return queue_; }
     WireEnd& wire() { return *wire_; }
 
@@ -42,6 +44,7 @@ class Oracle {
     Oracle();
 
     int socket_ = -1;
+    bool geometry_wanted_ = false;
     WorkQueue queue_;
     std::unique_ptr<WireEnd> wire_;
 

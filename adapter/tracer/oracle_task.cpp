@@ -204,8 +204,9 @@ std::vector<pov::ViewThreadData*> append_oracle_tasks(pov::TaskQueue& tasks, pov
     tasks.AppendFunction(
         [&view, antialias, shared](pov::TaskQueue&) { announce(&view, antialias, shared); });
     std::vector<pov::ViewThreadData*> data;
-    data.push_back(
-        dynamic_cast<pov::ViewThreadData*>(tasks.AppendTask(new GeometryTask(&view, shared))));
+    if (Oracle::instance().geometry_wanted())
+        data.push_back(
+            dynamic_cast<pov::ViewThreadData*>(tasks.AppendTask(new GeometryTask(&view, shared))));
     for (int i = 0; i < threads; ++i)
         data.push_back(
             dynamic_cast<pov::ViewThreadData*>(tasks.AppendTask(new OracleTask(&view, shared))));
