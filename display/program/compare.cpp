@@ -59,7 +59,8 @@ class Comparison {
     std::vector<Moment> trace(const std::string& method) {
         TracedScene scene(
             read_povray_options(options_.povray).tracer_arguments(), options_.stall_timeout,
-            [&](const std::string& text) { line_.show(method + ": " + text); }, interrupted);
+            [&](const std::string& text) { line_.show(method + ": " + text); }, interrupted,
+            edges_for(method));
         check_size(scene.description());
         StrategyRun run(method, scene, scene.oracle());
         std::vector<Moment> moments;
@@ -75,13 +76,18 @@ class Comparison {
         GeometricSchedule schedule;
         bool going = true;
         while (going && !interrupted() && !(options_.time && scene.time_s() >= *options_.time)) {
-            going = run.session().advance(2ms);
+            going = run.advance(2ms);
             if (run.samples() == 0) continue;
             if (const auto moment = schedule.due(scene.time_s()))
                 take(fmt::format("{:02d}-{:.2f}s", *moment, schedule.time(*moment)));
         }
         take("end");
         return moments;
+    }
+
+    std::optional<EdgeFinding> edges_for(const std::string& method) const {
+        if (!method_wants_edges(method)) return std::nullopt;
+        return EdgeFinding{.mirror_depth = options_.mirror_depth};
     }
 
     /// Those of an earlier comparison, which had other moments; nothing else that lies there.

@@ -49,11 +49,13 @@ class Preview {
     Exit run() {
         scene_.emplace(
             povray_.tracer_arguments(), options_.stall_timeout,
-            [&](const std::string& what) { line_.show(what); }, interrupted);
+            [&](const std::string& what) { line_.show(what); }, interrupted, edges());
         open_window();
         lanes_.emplace(scene_->oracle());
         main_.emplace(options_.method, *scene_, lanes_->lane(0));
         if (!options_.log.empty()) log_.emplace(options_.log);
+        // A run of so many samples shall come out the same each time, however fast edges are found.
+        if (options_.samples) scene_->wait_for_edges([this] { return stopped_early(); });
         while (work()) look();
         finish();
         return interrupted() ? Exit::interrupted : Exit::success;
@@ -82,6 +84,12 @@ class Preview {
         }
     }
 
+    std::optional<EdgeFinding> edges() const {
+        const bool beside = options_.beside != "none" && method_wants_edges(beside_method());
+        if (!beside && !method_wants_edges(options_.method)) return std::nullopt;
+        return EdgeFinding{.mirror_depth = options_.mirror_depth};
+    }
+
     bool stopped_early() const { return interrupted() || (window_ && window_->controls().closed); }
 
     // ---- the loop
@@ -92,11 +100,11 @@ class Preview {
         if (options_.time && scene_->time_s() >= *options_.time) return false;
         if (options_.samples && main_->samples() >= *options_.samples) return false;
         if (options_.samples) main_->session().limit_full(*options_.samples);
-        going_ = main_->session().advance(2ms);
+        going_ = main_->advance(2ms);
         if (beside_wanted()) {
             if (!beside_) beside_.emplace(beside_method(), *scene_, lanes_->lane(1));
             beside_->session().limit_full(main_->samples());
-            going_ |= beside_->session().advance(0ms) && beside_->samples() < main_->samples();
+            going_ |= beside_->advance(0ms) && beside_->samples() < main_->samples();
         }
         // A finished picture stays in its window until that is closed.
         return going_ || window_;
@@ -203,6 +211,8 @@ class Preview {
 
     void write_log() {
         log_->write(main_->standing());
+        if (const auto report = scene_->take_edge_report())
+            log_->write_event(scene_->time_s(), *report);
         const auto& faults = scene_->oracle().faults();
         for (; faults_logged_ < faults.size(); ++faults_logged_)
             log_->write_event(scene_->time_s(), faults[faults_logged_]);

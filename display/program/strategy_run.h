@@ -20,6 +20,17 @@ class StrategyRun {
           session_(*previewer_, oracle) {}
 
     Session& session() { return session_; }
+    /// Session::advance, with the edges that have become known since.
+    bool advance(std::chrono::nanoseconds patience) {
+        if (previewer_->wants_edges()) {
+            const std::vector<EdgeChain>& known = scene_.edges();
+            if (edges_taken_ < known.size())
+                previewer_->accept_edges(
+                    {known.begin() + std::ptrdiff_t(edges_taken_), known.end()});
+            edges_taken_ = known.size();
+        }
+        return session_.advance(patience);
+    }
     const Previewer& previewer() const { return *previewer_; }
     std::size_t samples() const { return session_.counts().full; }
 
@@ -37,6 +48,7 @@ class StrategyRun {
     TracedScene& scene_;
     std::unique_ptr<Previewer> previewer_;
     Session session_;
+    std::size_t edges_taken_ = 0;  // of the scene's
 };
 
 }  // namespace povpreview

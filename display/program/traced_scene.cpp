@@ -45,10 +45,12 @@ std::string sentence(const report::Progress& progress) {
     return progress.done > 0 ? fmt::format("{}, {}", stage, progress.done) : stage;
 }
 
-PovrayOracle::Settings settings(std::vector<std::string> arguments, double stall_timeout_s) {
+PovrayOracle::Settings settings(std::vector<std::string> arguments, double stall_timeout_s,
+                                bool geometry) {
     PovrayOracle::Settings result;
     result.program = tracer_program();
     result.arguments = std::move(arguments);
+    result.geometry = geometry;
     result.stall_timeout =
         std::chrono::milliseconds(static_cast<std::int64_t>(stall_timeout_s * 1000));
     return result;
@@ -58,11 +60,47 @@ PovrayOracle::Settings settings(std::vector<std::string> arguments, double stall
 
 TracedScene::TracedScene(std::vector<std::string> povray_arguments, double stall_timeout_s,
                          const std::function<void(const std::string&)>& report,
-                         const std::function<bool()>& interrupted)
-    : oracle_(settings(std::move(povray_arguments), stall_timeout_s)),
+                         const std::function<bool()>& interrupted,
+                         const std::optional<EdgeFinding>& edges)
+    : oracle_(settings(std::move(povray_arguments), stall_timeout_s, edges.has_value())),
       description_(oracle_.wait_for_scene(
-          [&](const report::Progress& progress) { report(sentence(progress)); }, interrupted)) {
+          [&](const report::Progress& progress) { report(sentence(progress)); }, interrupted)),
+      edge_finding_(edges) {
     parsed_ = Clock::now();
+}
+
+const std::vector<EdgeChain>& TracedScene::edges() {
+    if (!edge_finding_) return edges_;
+    if (!edge_search_) {
+        std::optional<Geometry> geometry = oracle_.take_geometry();
+        if (!geometry) return edges_;
+        edge_search_.emplace([geometry = std::move(*geometry),
+                              this] { return polygon_scene(geometry, description_); },
+                             *edge_finding_);
+    }
+    std::vector<EdgeChain> chains = edge_search_->take();
+    edges_.insert(edges_.end(), std::make_move_iterator(chains.begin()),
+                  std::make_move_iterator(chains.end()));
+    return edges_;
+}
+
+void TracedScene::wait_for_edges(const std::function<bool()>& interrupted) {
+    if (!edge_finding_) return;
+    oracle_.wait_for_geometry(interrupted);
+    for (edges(); !edge_search_->finished() && !interrupted(); edges())
+        edge_search_->wait_for(std::chrono::milliseconds(50));
+    edges();
+}
+
+std::optional<std::string> TracedScene::take_edge_report() {
+    if (edges_reported_ || !edge_search_ || !edge_search_->finished()) return std::nullopt;
+    edges_reported_ = true;
+    const EdgeSearch::Report& found = edge_search_->report();
+    if (!found.scene) return "no edges known without tracing: the camera bends straight lines";
+    return fmt::format(
+        "{} chains of edges known without tracing, of {} pieces, from {} faces, "
+        "after {:.3f} s",
+        found.chains, found.pieces, found.faces, found.seconds);
 }
 
 }  // namespace povpreview

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "adapter/povray_oracle.h"
+#include "core/edge_search.h"
 
 namespace povpreview {
 
@@ -15,13 +16,22 @@ namespace povpreview {
 class TracedScene {
    public:
     /// Starts a tracer and waits for the end of the parse; `report` is told what it does
-    /// ("parsing, 12,000 tokens"), `interrupted` asked whether to give up. Throws Error.
+    /// ("parsing, 12,000 tokens"), `interrupted` asked whether to give up. Without `edges` the
+    /// scene's geometry is not asked for, and there are none. Throws Error.
     TracedScene(std::vector<std::string> povray_arguments, double stall_timeout_s,
                 const std::function<void(const std::string&)>& report,
-                const std::function<bool()>& interrupted);
+                const std::function<bool()>& interrupted, const std::optional<EdgeFinding>& edges);
 
     PovrayOracle& oracle() { return oracle_; }
     const SceneDescription& description() const { return description_; }
+
+    /// The edges known by now without tracing, in the order of their coming. They are found beside
+    /// everything else, as soon as the geometry has come.
+    const std::vector<EdgeChain>& edges();
+    /// Waits until all of them are known, or `interrupted`.
+    void wait_for_edges(const std::function<bool()>& interrupted);
+    /// What there is to say about them when all are known, as a sentence; once.
+    std::optional<std::string> take_edge_report();
 
     /// Seconds since the parse ended, and since the tracer was started; pauses not counted.
     double time_s() const { return seconds(now() - parsed_) - paused_s_; }
@@ -52,6 +62,11 @@ class TracedScene {
     std::optional<Clock::time_point> paused_at_;
     PovrayOracle oracle_;
     const SceneDescription& description_;
+
+    std::optional<EdgeFinding> edge_finding_;
+    std::vector<EdgeChain> edges_;
+    std::optional<EdgeSearch> edge_search_;
+    bool edges_reported_ = false;
 };
 
 }  // namespace povpreview
