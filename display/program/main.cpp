@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "display/program/compare.h"
+#include "display/program/figures.h"
 #include "display/program/interrupt.h"
 #include "display/program/options.h"
 #include "display/program/preview.h"
@@ -17,8 +18,9 @@ int main(int argc, char** argv) {
             return 0;
         }
         catch_interrupts();
-        return static_cast<int>(command.compare ? compare(*command.compare)
-                                                : preview(*command.preview));
+        return static_cast<int>(command.compare   ? compare(*command.compare)
+                                : command.figures ? figures(*command.figures)
+                                                  : preview(*command.preview));
     } catch (const Error& error) {
         fmt::print(stderr, "povpreview: {}\n", error.what());
         return static_cast<int>(error.exit());

@@ -48,19 +48,39 @@ const std::map<std::string, Overlay> overlays{{"none", Overlay::none},
 const std::map<std::string, Backend> backends{
     {"auto", Backend::automatic}, {"egl", Backend::egl}, {"osmesa", Backend::osmesa}};
 
-/// Options that both commands have.
+/// Options that all commands have.
 template <class Options>
 void add_common(CLI::App& app, Options& options) {
     app.add_option("--backend", options.backend, "OpenGL by: auto, egl, osmesa")
         ->transform(CLI::CheckedTransformer(backends))
         ->option_text("NAME");
-    app.add_option("--time", options.time, "Stop so many seconds after the end of the parse")
-        ->check(CLI::PositiveNumber)
-        ->option_text("SECONDS");
     app.add_option("--stall-timeout", options.stall_timeout,
                    "Give the tracer up when it has been silent for so long (default 60)")
         ->check(CLI::PositiveNumber)
         ->option_text("SECONDS");
+    app.add_option("--mirror-depth", options.mirror_depth,
+                   "Find edges in mirrors seen in mirrors, so many deep (default 1; 0: in none)")
+        ->check(CLI::Range(0, 8))
+        ->option_text("N");
+}
+
+template <class Options>
+void add_time(CLI::App& app, Options& options) {
+    app.add_option("--time", options.time, "Stop so many seconds after the end of the parse")
+        ->check(CLI::PositiveNumber)
+        ->option_text("SECONDS");
+}
+
+/// Where a command writes its results.
+template <class Options>
+void add_out(CLI::App& app, Options& options) {
+    app.add_option("--out", options.out, "Folder for the results")->option_text("DIR");
+}
+
+template <class Options>
+void check_out(const Options& options, const std::string& command) {
+    if (options.out.empty())
+        throw Error(Exit::usage, "no folder for the results", command, "give --out DIR");
 }
 
 void parse(CLI::App& app, const std::vector<std::string>& words, std::vector<std::string>& povray,
@@ -83,7 +103,8 @@ void read_preview(const std::vector<std::string>& words, CommandLine& result) {
         "Previews a POV-Ray scene: a picture close to the finished render after a few "
         "percent of the work.\n\n"
         "  povpreview [POV-Ray options] SCENE.pov [options]\n"
-        "  povpreview compare [POV-Ray options] SCENE.pov --out DIR [options]\n\n"
+        "  povpreview compare [POV-Ray options] SCENE.pov --out DIR [options]\n"
+        "  povpreview figures [POV-Ray options] SCENE.pov --out DIR [options]\n\n"
         "POV-Ray's own options (+W640 +H480 +Lpath Declare=x=1 file.ini ...) mean what they "
         "mean to povray.",
         "povpreview");
@@ -121,6 +142,7 @@ void read_preview(const std::vector<std::string>& words, CommandLine& result) {
     app.add_option("--reference", options.reference,
                    "Finished picture of the same size; captions then tell the error against it")
         ->option_text("FILE");
+    add_time(app, options);
     add_common(app, options);
     parse(app, words, options.povray, result);
     if (!result.text.empty()) return;
@@ -142,18 +164,40 @@ void read_compare(const std::vector<std::string>& words, CommandLine& result) {
     app.set_help_flag("--help", "Show this text");
     const auto methods = method_names();
     options.methods = methods;
-    app.add_option("--out", options.out, "Folder for the results")->option_text("DIR");
+    add_out(app, options);
     app.add_option("--methods", options.methods,
                    "Comma-separated, of: " + CLI::detail::join(methods, ","))
         ->delimiter(',')
         ->check(CLI::IsMember(methods))
         ->option_text("A,B,...");
+    add_time(app, options);
     add_common(app, options);
     parse(app, words, options.povray, result);
     if (!result.text.empty()) return;
-    if (options.out.empty())
-        throw Error(Exit::usage, "no folder for the results", "compare", "give --out DIR");
+    check_out(options, "compare");
     result.compare = std::move(options);
+}
+
+void read_figures(const std::vector<std::string>& words, CommandLine& result) {
+    FiguresOptions options;
+    CLI::App app(
+        "Shows what edges known without rays are worth, as the method's authors did: in DIR a.png "
+        "the finished picture, b.png a preview from a plain triangulation of a regular grid of "
+        "samples, c.png that triangulation, d.png a preview from as many samples constrained by "
+        "the edges, e.png that triangulation, f.png the edges alone, figure.png all of them.\n\n"
+        "  povpreview figures [POV-Ray options] SCENE.pov --out DIR [options]",
+        "povpreview figures");
+    app.set_help_flag("--help", "Show this text");
+    add_out(app, options);
+    app.add_option("--samples", options.samples,
+                   "Full samples of each preview, about (default: one for a hundred pixels)")
+        ->check(CLI::PositiveNumber)
+        ->option_text("N");
+    add_common(app, options);
+    parse(app, words, options.povray, result);
+    if (!result.text.empty()) return;
+    check_out(options, "figures");
+    result.figures = std::move(options);
 }
 
 }  // namespace
@@ -164,6 +208,9 @@ CommandLine read_command_line(int argc, const char* const* argv) {
     if (!words.empty() && words.front() == "compare") {
         words.erase(words.begin());
         read_compare(words, result);
+    } else if (!words.empty() && words.front() == "figures") {
+        words.erase(words.begin());
+        read_figures(words, result);
     } else {
         read_preview(words, result);
     }

@@ -25,6 +25,7 @@ struct PreviewOptions {
     std::optional<glm::ivec2> size;                ///< of pictures, where it is not the scene's
     std::filesystem::path snapshots, log, output;  ///< empty: not wanted
     std::filesystem::path reference;  ///< finished picture that captions measure against, or empty
+    int mirror_depth = 1;             ///< edges are found in mirrors seen in mirrors, so many deep
     double stall_timeout = 60;
 };
 
@@ -34,14 +35,26 @@ struct CompareOptions {
     std::filesystem::path out;
     std::vector<std::string> methods;
     std::optional<double> time;  ///< for each method; to completion if not given
+    int mirror_depth = 1;
     Backend backend = Backend::automatic;
     double stall_timeout = 60;
 };
 
-/// What the command line says: one of the two, or a text to print (help, version) and no more.
+/// What `povpreview figures SCENE.pov` was asked to do.
+struct FiguresOptions {
+    std::vector<std::string> povray;
+    std::filesystem::path out;
+    std::optional<std::size_t> samples;  ///< of each preview; one for a hundred pixels if not given
+    int mirror_depth = 1;                ///< see EdgeFinding
+    Backend backend = Backend::automatic;
+    double stall_timeout = 60;
+};
+
+/// What the command line says: one of the three, or a text to print (help, version) and no more.
 struct CommandLine {
     std::optional<PreviewOptions> preview;
     std::optional<CompareOptions> compare;
+    std::optional<FiguresOptions> figures;
     std::string text;
 };
 

@@ -37,6 +37,18 @@ TEST(CommandLine, CompareTakesAListOfMethods) {
     EXPECT_EQ(read({"compare", "s.pov", "--out", "d"}).compare->methods.size(), 5u);
 }
 
+TEST(CommandLine, FiguresTakeTheirOwnOptions) {
+    const auto line = read(
+        {"figures", "+W320", "s.pov", "--out", "d", "--samples", "500", "--mirror-depth", "3"});
+    ASSERT_TRUE(line.figures);
+    EXPECT_FALSE(line.preview || line.compare);
+    EXPECT_EQ(line.figures->povray, (std::vector<std::string>{"+W320", "s.pov"}));
+    EXPECT_EQ(line.figures->out, "d");
+    EXPECT_EQ(line.figures->samples, 500u);
+    EXPECT_EQ(line.figures->mirror_depth, 3);
+    EXPECT_FALSE(read({"figures", "s.pov", "--out", "d"}).figures->samples);
+}
+
 class BadCommandLine : public ::testing::TestWithParam<std::vector<const char*>> {};
 
 TEST_P(BadCommandLine, IsOneLineAndExitCodeTwo) {
@@ -51,24 +63,27 @@ TEST_P(BadCommandLine, IsOneLineAndExitCodeTwo) {
 
 INSTANTIATE_TEST_SUITE_P(
     All, BadCommandLine,
-    ::testing::Values(std::vector<const char*>{"s.pov", "--nonsense"},
-                      std::vector<const char*>{"s.pov", "--time"},
-                      std::vector<const char*>{"s.pov", "--time", "-1"},
-                      std::vector<const char*>{"s.pov", "--time", "soon"},
-                      std::vector<const char*>{"s.pov", "--samples", "0"},
-                      std::vector<const char*>{"s.pov", "--samples", "-5"},
-                      std::vector<const char*>{"s.pov", "--method", "magic"},
-                      std::vector<const char*>{"s.pov", "--beside", "magic"},
-                      std::vector<const char*>{"s.pov", "--overlay", "magic"},
-                      std::vector<const char*>{"s.pov", "--backend", "magic"},
-                      std::vector<const char*>{"s.pov", "--size", "0x5"},
-                      std::vector<const char*>{"s.pov", "--size", "-3x5"},
-                      std::vector<const char*>{"s.pov", "--size", "1000000000x1000000000"},
-                      std::vector<const char*>{"s.pov", "--size", "65535x65535"},
-                      std::vector<const char*>{"s.pov", "--size", "big"},
-                      std::vector<const char*>{"compare", "s.pov"},
-                      std::vector<const char*>{"compare", "s.pov", "--out", "d", "--methods",
-                                               "x"}));
+    ::testing::Values(
+        std::vector<const char*>{"s.pov", "--nonsense"},
+        std::vector<const char*>{"s.pov", "--time"},
+        std::vector<const char*>{"s.pov", "--time", "-1"},
+        std::vector<const char*>{"s.pov", "--time", "soon"},
+        std::vector<const char*>{"s.pov", "--samples", "0"},
+        std::vector<const char*>{"s.pov", "--samples", "-5"},
+        std::vector<const char*>{"s.pov", "--method", "magic"},
+        std::vector<const char*>{"s.pov", "--beside", "magic"},
+        std::vector<const char*>{"s.pov", "--overlay", "magic"},
+        std::vector<const char*>{"s.pov", "--backend", "magic"},
+        std::vector<const char*>{"s.pov", "--size", "0x5"},
+        std::vector<const char*>{"s.pov", "--size", "-3x5"},
+        std::vector<const char*>{"s.pov", "--size", "1000000000x1000000000"},
+        std::vector<const char*>{"s.pov", "--size", "65535x65535"},
+        std::vector<const char*>{"s.pov", "--size", "big"},
+        std::vector<const char*>{"compare", "s.pov"}, std::vector<const char*>{"figures", "s.pov"},
+        std::vector<const char*>{"figures", "s.pov", "--out", "d", "--samples", "0"},
+        std::vector<const char*>{"figures", "s.pov", "--out", "d", "--mirror-depth", "-1"},
+        std::vector<const char*>{"figures", "s.pov", "--out", "d", "--time", "1"},
+        std::vector<const char*>{"compare", "s.pov", "--out", "d", "--methods", "x"}));
 
 }  // namespace
 }  // namespace povpreview

@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "display/program/figures.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "adapter/povray_options.h"
+#include "core/colour.h"
+#include "core/error_measures.h"
+#include "core/mesh_previewer.h"
+#include "core/session.h"
+#include "display/caption.h"
+#include "display/image_file.h"
+#include "display/offscreen.h"
+#include "display/program/folder.h"
+#include "display/program/interrupt.h"
+#include "display/program/reference.h"
+#include "display/program/traced_scene.h"
+#include "display/progress_line.h"
+
+namespace povpreview {
+namespace {
+
+using namespace std::chrono_literals;
+
+/// Smooths lines and the edges of triangles; Mesa in software offers no more.
+constexpr int samples_per_pixel = 4;
+/// Where nothing is said, one sample for so many pixels: a regular grid shows rough shapes by then,
+/// and refinement still has far to go.
+constexpr std::size_t pixels_per_sample = 100;
+
+/// What has to do with one letter of the figure.
+struct Part {
+    const char* name;
+    Image image;
+    std::string caption;
+};
+
+Image decoded(Image encoded) {
+    for (glm::vec3& c : encoded.pixels) c = {decode_srgb(c.x), decode_srgb(c.y), decode_srgb(c.z)};
+    return encoded;
+}
+
+/// The lines of a picture on white.
+Picture lines_alone(const Picture& picture) {
+    Picture lines;
+    lines.width = picture.width;
+    lines.height = picture.height;
+    const float w = float(lines.width), h = float(lines.height);
+    for (const glm::vec2 corner : {glm::vec2(0, 0), glm::vec2(w, 0), glm::vec2(w, h),
+                                   glm::vec2(0, 0), glm::vec2(w, h), glm::vec2(0, h)})
+        lines.corners.push_back({corner, glm::vec3(1)});
+    lines.lines = picture.lines;
+    return lines;
+}
+
+Picture picture_of(const std::vector<EdgeChain>& edges, glm::ivec2 size) {
+    Picture picture;
+    picture.width = size.x;
+    picture.height = size.y;
+    for (const EdgeChain& chain : edges)
+        for (std::size_t i = 1; i < chain.vertices.size(); ++i)
+            picture.lines.push_back({.from = chain.vertices[i - 1],
+                                     .to = chain.vertices[i],
+                                     .constraint = true,
+                                     .kind = chain.kind,
+                                     .light = chain.light});
+    return picture;
+}
+
+/// "120 geometric, 48 shadow, 12 reflection": segments of each kind.
+std::string count(const std::vector<EdgeChain>& edges) {
+    std::array<std::size_t, edge_kinds> counts{};
+    for (const EdgeChain& chain : edges)
+        counts[static_cast<std::size_t>(chain.kind)] += chain.vertices.size() - 1;
+    return fmt::format("{} geometric, {} shadow, {} reflection",
+                       counts[static_cast<std::size_t>(EdgeKind::geometric)],
+                       counts[static_cast<std::size_t>(EdgeKind::shadow)],
+                       counts[static_cast<std::size_t>(EdgeKind::reflection)]);
+}
+
+/// Three images a row, each above its caption.
+Image sheet(const std::vector<Part>& parts) {
+    constexpr std::size_t columns = 3;
+    std::vector<Image> rows;
+    int width = 0, height = 0;
+    for (std::size_t first = 0; first < parts.size(); first += columns) {
+        std::vector<Panel> panels;
+        for (std::size_t i = first; i < std::min(first + columns, parts.size()); ++i)
+            panels.push_back({parts[i].image, parts[i].caption});
+        rows.push_back(compose(panels));
+        width = std::max(width, rows.back().width);
+        height += rows.back().height;
+    }
+    Image all(width, height);
+    int y = 0;
+    for (const Image& row : rows) {
+        for (int j = 0; j < row.height; ++j)
+            std::copy_n(&row.at(0, j), row.width, &all.at(0, y + j));
+        y += row.height;
+    }
+    return all;
+}
+
+class Figures {
+   public:
+    explicit Figures(const FiguresOptions& options)
+        : options_(options),
+          povray_(read_povray_options(options.povray)),
+          offscreen_(open_offscreen(options.backend)) {}
+
+    Exit run() {
+        make_folder(options_.out, "--out");
+        reference_ = stock_reference(options_.povray, options_.out, interrupted);
+        TracedScene scene(
+            povray_.tracer_arguments(), options_.stall_timeout,
+            [&](const std::string& text) { line_.show(text); }, interrupted,
+            EdgeFinding{.mirror_depth = options_.mirror_depth});
+        size_ = {scene.description().width, scene.description().height};
+        check_size();
+        add("a", decoded(reference_), "a: finished");
+        // The edges first, so that the constrained triangulation is the same however fast they
+        // came.
+        line_.show("finding edges");
+        scene.wait_for_edges(interrupted);
+        draw(scene);
+        line_.clear();
+        if (interrupted()) return Exit::interrupted;
+        write();
+        return Exit::success;
+    }
+
+   private:
+    void check_size() const {
+        if (size_ != glm::ivec2(reference_.width, reference_.height))
+            throw Error(Exit::usage,
+                        fmt::format("the reference is {} x {} pixels, the tracer's picture {} x {}",
+                                    reference_.width, reference_.height, size_.x, size_.y),
+                        "figures", "give the size by +W and +H");
+    }
+
+    std::size_t samples() const {
+        const std::size_t pixels = std::size_t(size_.x) * std::size_t(size_.y);
+        return options_.samples.value_or(std::max<std::size_t>(4, pixels / pixels_per_sample));
+    }
+
+    void draw(TracedScene& scene) {
+        const std::vector<EdgeChain>& edges = scene.edges();
+        const RegularGrid grid = regular_grid(samples(), size_);
+        MeshPreviewer plain(size_.x, size_.y, {.constraints = false, .grid_cell = grid.cell});
+        trace(plain, scene, grid.samples);
+        draw(plain, "b", "c", "plain triangulation");
+
+        // Most samples are for refinement, also where there are but few in all.
+        MeshOptions sparse;
+        sparse.grid_cell = std::max(
+            sparse.grid_cell, regular_grid(std::max<std::size_t>(4, grid.samples / 4), size_).cell);
+        MeshPreviewer constrained(size_.x, size_.y, sparse);
+        constrained.accept_edges(std::vector<EdgeChain>(edges));
+        trace(constrained, scene, grid.samples);
+        draw(constrained, "d", "e", "constrained triangulation");
+
+        add("f", render(lines_alone(picture_of(edges, size_)), Overlay::edges),
+            "f: edges known without rays\n" + count(edges));
+    }
+
+    void trace(Previewer& previewer, TracedScene& scene, std::size_t limit) {
+        Session session(previewer, scene.oracle());
+        session.limit_full(limit);
+        while (session.advance(20ms) && !interrupted())
+            line_.show(fmt::format("{} of {} samples", session.counts().full, limit));
+        traced_ = session.counts().full;
+    }
+
+    void draw(const Previewer& previewer, const char* preview, const char* mesh,
+              const std::string& what) {
+        const Picture picture = previewer.picture(Overlay::mesh);
+        // Measured as `compare` does it, without smoothing.
+        const ErrorMeasures error =
+            measure_error(offscreen_.render(picture, size_.x, size_.y).pixels, reference_.pixels);
+        add(preview, render(picture, Overlay::none),
+            fmt::format("{}: preview, {}\n{} samples, error L1 {:.4f} RMSE {:.4f}", preview, what,
+                        traced_, error.l1, error.rmse));
+        add(mesh, render(lines_alone(picture), Overlay::mesh),
+            fmt::format("{}: {}, {} vertices", mesh, what, previewer.statistics().vertices));
+    }
+
+    Image render(const Picture& picture, Overlay overlay) {
+        return offscreen_.render(picture, size_.x, size_.y, samples_per_pixel, overlay,
+                                 Range::display);
+    }
+
+    void add(const char* name, Image image, const std::string& caption) {
+        parts_.push_back({name, std::move(image), caption});
+    }
+
+    void write() const {
+        for (const Part& part : parts_)
+            write_image(part.image, options_.out / (std::string(part.name) + ".png"));
+        write_image(sheet(parts_), options_.out / "figure.png", FileFormat::png8);
+        for (const Part& part : parts_) {
+            std::string line = part.caption;
+            std::replace(line.begin(), line.end(), '\n', ';');
+            fmt::print("{}\n", line);
+        }
+    }
+
+    const FiguresOptions& options_;
+    PovrayOptions povray_;
+    Offscreen offscreen_;
+    Image reference_;
+    glm::ivec2 size_{};
+    std::size_t traced_ = 0;  // by the latest of the two
+    std::vector<Part> parts_;
+    ProgressLine line_;
+};
+
+}  // namespace
+
+RegularGrid regular_grid(std::size_t samples, glm::ivec2 size) {
+    // (w / c + 1) (h / c + 1) samples for cells of c pixels; solved for 1 / c.
+    const double w = size.x, h = size.y, n = std::max(4., double(samples));
+    const double u = (std::sqrt((w + h) * (w + h) + 4 * w * h * (n - 1)) - (w + h)) / (2 * w * h);
+    const double cell = std::max(2., 1 / u);
+    const auto cells = [&](double length) { return std::max(1L, std::lround(length / cell)) + 1; };
+    return {cell / std::max(w, h), std::size_t(cells(w)) * std::size_t(cells(h))};
+}
+
+Exit figures(const FiguresOptions& options) { return Figures(options).run(); }
+
+}  // namespace povpreview
