@@ -47,7 +47,9 @@ struct ConstraintsPlaced {
     double off = 0;     ///< the strong jump across lies farther away, and on no constraint
     std::vector<glm::dvec2> misplaced;  ///< middles of the steps that are `off`
     double length() const { return on + even + beside + off; }
-    double share() const { return length() > 0 ? (on + even) / length() : 1; }
+    /// Of the length, what lies on a jump or makes no contrast of its own. What is beside another
+    /// constraint's jump is right, too: there is no contrast within the tolerance of it.
+    double share() const { return length() > 0 ? 1 - off / length() : 1; }
 };
 /// Of `chains`, against the jumps of `fine`; `all` are the constraints of every kind.
 ConstraintsPlaced place_constraints(const std::vector<EdgeChain>& chains, const NearSegments& all,

@@ -53,6 +53,7 @@ TEST(EdgePositions, ToleranceIsHalfAPixel) {
     EXPECT_GT(measure(half_plane(.5f), {line(.3)}).placed.on, 39);
     EXPECT_GT(measure(half_plane(.5f), {line(.75)}).placed.off, 39);
     EXPECT_GT(measure(half_plane(.5f), {line(-.75)}).placed.off, 39);
+    EXPECT_LT(measure(half_plane(.5f), {line(.75)}).placed.share(), .03);
 }
 
 TEST(EdgePositions, WhereNothingChangesAConstraintIsEven) {

@@ -8,13 +8,15 @@
 //
 // Kinds are told apart by POV-Ray's quality levels: +Q3 knows no shadows, +Q5 no reflections, +Q9
 // all. Jumps that come in with a level and lie neither at a jump of the level below nor at a
-// constraint of an earlier kind are the kind's own. Textures draw edges of their own: leave them
-// out (our scenes by Declare=Untextured=1).
+// constraint of an earlier kind are the kind's own. A constraint is right where it is not off; idle
+// ones (the very same ray tree on both sides, as probes tell) cost samples and show nothing.
+// Textures draw edges of their own: leave them out (our scenes by Declare=Untextured=1).
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 #include <array>
 #include <cstdio>
+#include <numeric>
 
 #include "adapter/povray_options.h"
 #include "adapter/povray_oracle.h"
@@ -46,8 +48,40 @@ bool never() { return false; }
 struct Constraints {
     glm::ivec2 size;
     std::vector<EdgeChain> chains;
-    std::size_t faces = 0, left_out = 0;
+    /// Of each chain, pixels of length with the very same ray tree on both sides.
+    std::vector<double> idle;
 };
+
+/// What a ray from a point of the picture meets: surfaces and lights, also behind mirrors.
+bool same_ray_tree(const Sample& a, const Sample& b) {
+    return a.surface == b.surface && a.signature == b.signature;
+}
+
+/// Fills in Constraints::idle. A constraint may be off by its tolerance, so the sides are asked for
+/// a little beyond that.
+void find_idle(PovrayOracle& oracle, Constraints& constraints) {
+    constexpr double step = .5, away = tolerance + .1;
+    struct Place {
+        std::size_t chain;
+        double length;
+    };
+    std::vector<Place> places;
+    std::vector<Request> requests;
+    for (std::size_t i = 0; i < constraints.chains.size(); ++i)
+        walk(constraints.chains[i], step, [&](glm::dvec2 p, glm::dvec2 along, double length) {
+            const glm::dvec2 normal(-along.y, along.x);
+            places.push_back({i, length});
+            for (const double side : {-away, away})
+                requests.push_back({p + side * normal, RayKind::probe});
+        });
+    oracle.submit(requests, Parts::surface | Parts::signature);
+    std::vector<Sample> samples;
+    while (samples.size() < requests.size()) oracle.collect(samples, std::chrono::seconds(1));
+    constraints.idle.assign(constraints.chains.size(), 0);
+    for (std::size_t k = 0; k < places.size(); ++k)
+        if (same_ray_tree(samples[2 * k], samples[2 * k + 1]))
+            constraints.idle[places[k].chain] += places[k].length;
+}
 
 Constraints find_constraints(const Options& options) {
     const PovrayOptions povray = read_povray_options(options.povray);
@@ -59,16 +93,18 @@ Constraints find_constraints(const Options& options) {
     if (!scene)
         throw Error(Exit::scene, why_not_straight(description.camera), povray.scene.string(),
                     "choose a scene with a straight camera");
+    for (const Geometry::LeftOut& left : geometry.left_out)
+        fmt::print("{:<20} without {} x {}: {}\n", options.out.filename().string(), left.count,
+                   left.kind, left.reason);
     Constraints result;
     result.size = {description.width, description.height};
-    result.faces = scene->faces.size();
-    for (const Geometry::LeftOut& left : geometry.left_out) result.left_out += left.count;
     std::vector<ImageEdge> pieces;
     find_edges(*scene, {.mirror_depth = options.mirror_depth}, [&](std::vector<ImageEdge>&& more) {
         pieces.insert(pieces.end(), more.begin(), more.end());
         return true;
     });
     result.chains = chain_edges(std::move(pieces), result.size);
+    find_idle(oracle, result);
     return result;
 }
 
@@ -97,12 +133,14 @@ class Report {
         : options_(options), constraints_(constraints), name_(options.out.filename().string()) {}
 
     void line(const std::string& kind, const JumpsFound& jumps, const ConstraintsPlaced& placed,
-              const Image& fine) const {
+              double idle, const Image& fine) const {
         const double length = std::max(placed.length(), 1e-9);
-        fmt::print("{:<20} {:<11} {:8} {:7.2f} {:9.0f} {:7.2f} {:6.2f} {:6.2f} {:6.2f} {:6.2f}\n",
-                   name_, kind, jumps.jumps, 100 * jumps.share(), placed.length(),
-                   100 * placed.share(), 100 * placed.on / length, 100 * placed.even / length,
-                   100 * placed.beside / length, 100 * placed.off / length);
+        fmt::print(
+            "{:<20} {:<11} {:8} {:7.2f} {:9.0f} {:7.2f} {:6.2f} {:6.2f} {:6.2f} {:6.2f} {:6.2f}\n",
+            name_, kind, jumps.jumps, 100 * jumps.share(), placed.length(), 100 * placed.share(),
+            100 * placed.on / length, 100 * placed.even / length, 100 * placed.beside / length,
+            100 * placed.off / length, 100 * idle / length);
+        std::fflush(stdout);
         if (options_.misses)
             write_image(picture_of_misses(fine, scale, constraints_.chains, jumps, placed),
                         options_.out / ("misses-" + kind + ".png"), FileFormat::png8);
@@ -131,18 +169,23 @@ void measure(const Options& options) {
         level = render(options, constraints.size, qualities[k]);
         std::vector<EdgeChain> chains;
         NearSegments own(constraints.size);
-        for (const EdgeChain& chain : constraints.chains)
-            if (chain.kind == kinds[k]) chains.push_back(chain), own.add(chain);
+        double idle = 0;
+        for (std::size_t i = 0; i < constraints.chains.size(); ++i) {
+            if (constraints.chains[i].kind != kinds[k]) continue;
+            chains.push_back(constraints.chains[i]);
+            own.add(chains.back());
+            idle += constraints.idle[i];
+        }
         const JumpsFound jumps = find_jumps(level.jumps, own, [&](glm::dvec2 p) {
             return !before.within(p, tolerance) && !earlier.within(p, tolerance);
         });
         report.line(names[k], jumps, place_constraints(chains, all, level.jumps, level.fine, scale),
-                    level.fine);
+                    idle, level.fine);
         for (const EdgeChain& chain : chains) earlier.add(chain);
     }
     report.line("all", find_jumps(level.jumps, all),
                 place_constraints(constraints.chains, all, level.jumps, level.fine, scale),
-                level.fine);
+                std::accumulate(constraints.idle.begin(), constraints.idle.end(), 0.), level.fine);
 }
 
 }  // namespace
