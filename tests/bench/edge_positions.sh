@@ -4,7 +4,7 @@
 # edge_positions.sh EDGE_POSITIONS OUT [options of edge_positions, POV-Ray options]
 #
 # Runs edge_positions (see edge_positions/edge_positions.cpp) on office.pov, chair_mirror.pov and the
-# scenes of polygonal_scenes.txt without textures, in four minutes or so at 320x240. Columns: strong
+# scenes of polygonal_scenes.txt, all without textures, in four minutes or so at 320x240. Columns: strong
 # jumps of the finer render and the share of them (%) within half a pixel of a constraint; pixels of
 # length of constraints and the share of it (%) that is right: on a jump (on), with no contrast
 # across (even), or beside the jump of another constraint (beside); not off; and the share of it
@@ -17,7 +17,8 @@ examples=/usr/share/doc/povray/examples
 mkdir -p "$out"
 out=$(realpath "$out")
 scenes=("$here"/../../scenes/office.pov "$here"/../../scenes/chair_mirror.pov)
-while read -r scene; do
+while read -r scene textured; do
+    if [ "$textured" ]; then continue; fi
     case $scene in
     */*) scenes+=("$examples/$scene") ;;
     *) scenes+=("$here/../../scenes/$scene") ;;

@@ -21,7 +21,7 @@ mkdir -p "$out"
 out=$(realpath "$out")
 
 scenes=("$here"/../../scenes/office.pov "$here"/../../scenes/chair_mirror.pov)
-while read -r scene; do
+while read -r scene _; do
     case $scene in
     */*) scenes+=("$examples/$scene") ;;
     *) scenes+=("$here/../../scenes/$scene") ;;

@@ -1,0 +1,61 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: AGPL-3.0-or-later
+#
+# figures.sh POVPREVIEW: `figures` writes its seven pictures, the constrained preview is the better
+# one by far, edges of all kinds are found where there are any, and none where the camera is bent.
+set -u
+povpreview=$1
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cd "$work" || exit 1
+failures=0
+
+check() {
+    if "${@:2}"; then echo "ok: $1"; else
+        echo "FAILED: $1"
+        sed 's/^/    /' out err
+        failures=$((failures + 1))
+    fi
+}
+
+cat >room.pov <<'P'
+#version 3.7;
+global_settings { assumed_gamma 1.0 }
+camera { CAMERA location <1, 2.2, -6> look_at <0, 1, 0> }
+light_source { <4, 7, -5>, 1 }
+box { <-6, -1, -7>, <6, 0, 6> pigment { rgb <.7, .7, .6> } }
+box { <-1, 0, -1>, <0, 1.6, 0> rotate y * 20 pigment { rgb <1, .3, .2> } }
+box {
+  <-4, 0, 2>, <4, 4, 2.2>
+  pigment { rgb .05 } finish { reflection .8 }
+}
+P
+sed 's/CAMERA/fisheye angle 90/' room.pov >bent.pov
+sed -i 's/CAMERA//' room.pov
+
+figures() { timeout 120 "$povpreview" figures "$@" >out 2>err </dev/null; }
+# error LETTER: the L1 error that its caption tells.
+error() { sed -nE "s/^$1: .*L1 ([0-9.]+) .*/\1/p" out; }
+samples() { sed -nE "s/^$1: .*[; ]([0-9]+) samples.*/\1/p" out; }
+much_better() { awk -v b="$(error b)" -v d="$(error d)" 'BEGIN { exit !(d > 0 && d * 4 < b) }'; }
+all_pictures() {
+    local name
+    for name in a b c d e f figure; do [ -s "$1/$name.png" ] || return 1; done
+}
+
+check "room.pov succeeds" figures room.pov +W160 +H120 --out room --samples 400
+check "seven pictures" all_pictures room
+check "constraints mend three quarters of the error" much_better
+check "about as many samples as asked for" test "$(samples b)" -gt 360 -a "$(samples b)" -lt 440
+check "as many samples for both" test "$(samples b)" = "$(samples d)"
+check "edges of all kinds" grep -qE '^f: .*[1-9][0-9]* geometric, [1-9][0-9]* shadow, [1-9][0-9]* reflection' out
+check "no mirrors on request" figures room.pov +W160 +H120 --out room --mirror-depth 0
+check "no reflected edges then" grep -qE '^f: .*, 0 reflection' out
+check "a bent camera succeeds" figures bent.pov +W160 +H120 --out bent
+check "a bent camera has no edges" grep -qE '^f: .*[; ]0 geometric, 0 shadow, 0 reflection' out
+figures missing.pov --out d
+check "a missing scene is the user's fault" test $? = 2
+figures room.pov --out /dev/null/d
+check "a folder that cannot be made is the user's fault" test $? = 2
+
+exit $((failures > 0))
