@@ -5,7 +5,7 @@
 // Tests: smooth and flat meshes beside each other. Of the smooth hills only the silhouettes and the
 //   shadows are edges of the picture, not the thousands of edges between their triangles; of the
 //   faceted rocks and trees every edge is. Shadows of the jagged ridge fall over smooth ground
-//   across hundreds of triangles. About 6,500 triangles; parallel light.
+//   across hundreds of triangles. About 7,400 triangles; parallel light.
 // Should be seen: rolling green hills in front of a faceted range of mountains, boulders and fir
 //   trees of few triangles, and a flat lake; the sun stands low on the left and everything throws
 //   long shadows.

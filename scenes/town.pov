@@ -3,7 +3,7 @@
 // A small town in the morning, seen from the air without perspective.
 //
 // Tests: an orthographic camera and a parallel light, under which neither the eye nor the sun is a
-//   point: some 150 houses of boxes and prisms (gables, hips), chimneys, a church with a pyramid on
+//   point: some 130 houses of boxes and prisms (gables, hips), chimneys, a church with a pyramid on
 //   its tower, a town wall with battlements. Outlines in three directions, over and over; long
 //   shadows across roofs and streets, many of them thin.
 // Should be seen: streets between rows of houses with red, brown and slate roofs around a market

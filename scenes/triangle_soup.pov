@@ -6,7 +6,7 @@
 //   triangles of uneven size whose corners lie in the middle of neighbours' edges (T-junctions);
 //   coplanar neighbours of one surface must not draw edges across it. Some triangles come twice,
 //   some are slivers, parts go through one another, and the corners of parts are rounded to tenths
-//   of millimetres, so that neighbours do not meet exactly. About 4,600 triangles.
+//   of millimetres, so that neighbours do not meet exactly. About 3,600 triangles.
 // Should be seen: a workbench with a vice, boxes and a toolbox, a stool, a shelf with crates and
 //   planks leaning on the wall beside a ladder; one lamp, so clear shadows; walls without any seam.
 // Camera: aspect 4:3, meant for 640x480 and up.

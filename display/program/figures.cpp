@@ -121,7 +121,8 @@ class Figures {
             EdgeFinding{.mirror_depth = options_.mirror_depth});
         size_ = {scene.description().width, scene.description().height};
         check_size();
-        add("a", decoded(reference_), "a: finished");
+        add("a", decoded(reference_),
+            fmt::format("a: finished, {} samples", reference_.pixels.size()));
         // The edges first, so that the constrained triangulation is the same however fast they
         // came.
         line_.show("finding edges");
