@@ -39,12 +39,20 @@ class Contrast {
     const FlatFaces& faces_;
 };
 
+/// How closely to look whether there is contrast along an edge.
+enum class Doubt : std::uint8_t {
+    none,  ///< there is
+    some,  ///< all along, if there is in the middle
+    much   ///< here and there
+};
+
 /// Calls keep(interval) for the parts of an interval where holds(t) is true, as far as a few looks
-/// along it tell. `trusted`: one look in the middle is enough if it holds there.
+/// along it tell.
 template <class Holds, class Keep>
-void keep_where(const Interval& whole, bool trusted, const Holds& holds, const Keep& keep) {
+void keep_where(const Interval& whole, Doubt doubt, const Holds& holds, const Keep& keep) {
     constexpr int looks = 4, halvings = 12;
-    if (trusted && holds((whole.from + whole.to) / 2)) return keep(whole);
+    if (doubt == Doubt::none || (doubt == Doubt::some && holds((whole.from + whole.to) / 2)))
+        return keep(whole);
     const auto at = [&](double i) { return whole.from + (whole.to - whole.from) * i / looks; };
     bool on = holds(at(.5));
     double from = whole.from;

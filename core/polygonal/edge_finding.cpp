@@ -94,10 +94,9 @@ class Finder {
         return found_(std::exchange(pieces_, {}));
     }
 
-    /// Adds what the image shows, by a view, of a segment on faces. Of a `doubtful` one that is
-    /// only what there is to see at it; others are believed unless the middle tells better.
+    /// Adds what the image shows, by a view, of a segment on faces.
     void show(const View& view, const SpaceSegment& segment, std::span<const std::uint32_t> faces,
-              bool doubtful, float importance) {
+              Doubt doubt, float importance) {
         visible_.assign({});
         view.hide(segment, visible_);
         const auto contrast = [&](double t) {
@@ -105,7 +104,7 @@ class Finder {
                                          segment.b - segment.a);
         };
         for (const Interval& part : visible_.intervals())
-            keep_where(part, !doubtful, contrast, [&](const Interval& kept) {
+            keep_where(part, doubt, contrast, [&](const Interval& kept) {
                 add(view, segment, kept, EdgeKind::geometric, 0, importance);
             });
     }
@@ -131,8 +130,10 @@ class Finder {
             if (view.clip_to_window(segment, part) && edges_.any(edge, shown)) {
                 const bool outline = edges_.silhouette(edge, view.volumes(), shown);
                 const float importance = outline ? 1 : edge.crease;
-                if (importance > 0)
-                    show(view, segment, edges_.faces(edge), !edge.regular(), importance);
+                const Doubt doubt = !edge.regular() ? Doubt::much
+                                    : outline       ? Doubt::some
+                                                    : Doubt::none;
+                if (importance > 0) show(view, segment, edges_.faces(edge), doubt, importance);
             }
             if (!look()) return false;
         }
@@ -142,7 +143,7 @@ class Finder {
     bool crossings(const View& view) {
         for (const Crossing& crossing : crossings_) {
             if (view.shows(faces_.face(crossing.f)) && view.shows(faces_.face(crossing.g)))
-                show(view, crossing.segment, std::array{crossing.f, crossing.g}, false,
+                show(view, crossing.segment, std::array{crossing.f, crossing.g}, Doubt::some,
                      crossing_step);
             if (!look()) return false;
         }
@@ -156,7 +157,7 @@ class Finder {
         // What is on the plane itself is not in the picture.
         plane->on += 10 * contact * faces_.scale(plane->on) * plane->normal;
         for (const SpaceSegment& segment : find_cuts(faces_, *plane))
-            show(eye_, segment, {}, false, 1);
+            show(eye_, segment, {}, Doubt::none, 1);
     }
 
     bool shadows(const View& view, const Shadows& shadows) {
@@ -206,7 +207,8 @@ class Finder {
         const auto casts = [](const Face& f) { return f.casts_shadow && !f.transparent; };
         for (const FaceEdges::Edge& edge : edges_.edges()) {
             if (edges_.silhouette(edge, volumes, casts))
-                cast(volumes, edges_.segment(edge), !edge.regular(), strength);
+                cast(volumes, edges_.segment(edge), edge.regular() ? Doubt::some : Doubt::much,
+                     strength);
             if (!look()) return false;
         }
         for (const Crossing& crossing : crossings_) {
@@ -223,13 +225,13 @@ class Finder {
         const auto contrast = [&](double t) {
             return contrast_.of_light(volumes, on, crossing.at(t), crossing.b - crossing.a);
         };
-        keep_where({}, false, contrast, [&](const Interval& kept) {
+        keep_where({}, Doubt::much, contrast, [&](const Interval& kept) {
             shadows_.back().pieces.push_back(
                 {{crossing.at(kept.from), crossing.at(kept.to)}, on, volumes.facing(on), strength});
         });
     }
 
-    void cast(const ShadowVolumes& volumes, const SpaceSegment& segment, bool doubtful,
+    void cast(const ShadowVolumes& volumes, const SpaceSegment& segment, Doubt doubt,
               float strength) {
         lit_.assign({});
         volumes.hide(segment, lit_);
@@ -240,12 +242,12 @@ class Finder {
                 const double from = std::max(rest.from, backdrop.part.from);
                 const double to = std::min(rest.to, backdrop.part.to);
                 if (to - from > IntervalSet::shortest)
-                    cast(volumes, segment, {from, to}, backdrop, doubtful, strength);
+                    cast(volumes, segment, {from, to}, backdrop, doubt, strength);
             }
     }
 
     void cast(const ShadowVolumes& volumes, const SpaceSegment& segment, const Interval& part,
-              const Backdrop& backdrop, bool doubtful, float strength) {
+              const Backdrop& backdrop, Doubt doubt, float strength) {
         const auto behind = [&](double t) {
             return volumes.behind(segment, t, nearness(backdrop, t));
         };
@@ -253,7 +255,7 @@ class Finder {
         const auto contrast = [&](double t) {
             return contrast_.of_light(volumes, backdrop.face, behind(t), along);
         };
-        keep_where(part, !doubtful, contrast, [&](const Interval& kept) {
+        keep_where(part, doubt, contrast, [&](const Interval& kept) {
             shadows_.back().pieces.push_back({{behind(kept.from), behind(kept.to)},
                                               backdrop.face,
                                               volumes.facing(backdrop.face),

@@ -15,29 +15,30 @@ namespace {
 /// coordinates: each of its six products is rounded five times, and their sum as often.
 constexpr double determinant_error = 1e-14;
 
-/// POV-Ray sees no farther.
-constexpr double farthest_sight = 1e7;
+/// A parallel view is looked into from so far before a point, as a multiple of FlatFaces::scale.
+constexpr double far_off = 1e4;
 
 double largest(const glm::dvec3& v) {
     const glm::dvec3 a = glm::abs(v);
     return std::max({a.x, a.y, a.z});
 }
 
-/// Whether a box lies off a segment (separating axes).
-struct SegmentMisses {
-    SegmentMisses(const glm::dvec3& a, const glm::dvec3& b)
-        : middle((a + b) / 2.), half((b - a) / 2.), reach(glm::abs(half)) {}
+/// A ray up to some distance, as what a box may miss (slabs).
+struct Ray {
+    Ray(const glm::dvec3& origin, const glm::dvec3& unit, double length)
+        : from(origin), inverse(1. / unit), end(length) {}
 
-    bool operator()(const FaceBox& box) const {
-        const glm::dvec3 h(box.half), to = glm::dvec3(box.centre) - middle;
-        for (int k = 0; k < 3; ++k)
-            if (std::abs(to[k]) > h[k] + reach[k]) return true;
-        const glm::dvec3 c = glm::abs(glm::cross(half, to));
-        return c.x > h.y * reach.z + h.z * reach.y || c.y > h.x * reach.z + h.z * reach.x ||
-               c.z > h.x * reach.y + h.y * reach.x;
+    bool misses(const FaceBox& box) const {
+        const glm::dvec3 c = (glm::dvec3(box.centre) - from) * inverse;
+        const glm::dvec3 h = glm::dvec3(box.half) * glm::abs(inverse);
+        // Written so that NaN, from a direction along a slab's face, misses nothing.
+        const double enter = std::max({c.x - h.x, c.y - h.y, c.z - h.z, 0.});
+        const double leave = std::min({c.x + h.x, c.y + h.y, c.z + h.z, end});
+        return enter > leave;
     }
 
-    glm::dvec3 middle, half, reach;
+    glm::dvec3 from, inverse;
+    double end;
 };
 
 }  // namespace
@@ -267,27 +268,32 @@ bool ShadowVolumes::in_front(const NearPlane& near, const glm::dvec3& p) const {
     return near.height(p) > contact * faces_.scale(p);
 }
 
+bool ShadowVolumes::inside_sides(std::uint32_t face, const glm::dvec3& p) const {
+    const auto count = static_cast<std::uint32_t>(faces_.corners(face).size());
+    for (std::uint32_t i = 0; i < count; ++i)
+        if (side_of(face, i, p) <= 0) return false;
+    return true;
+}
+
 std::optional<ShadowVolumes::Sight> ShadowVolumes::first_face(const glm::dvec3& through) const {
     const glm::dvec3 v(viewpoint_), line = glm::normalize(sight_line(viewpoint_, through));
-    const glm::dvec3 from = viewpoint_.w != 0 ? v : through - farthest_sight * line;
-    const auto hits = [&](std::uint32_t face) {
-        const auto count = static_cast<std::uint32_t>(faces_.corners(face).size());
-        for (std::uint32_t i = 0; i < count; ++i)
-            if (side_of(face, i, through) <= 0) return false;
-        return true;
-    };
+    const glm::dvec3 from =
+        viewpoint_.w != 0 ? v : through - far_off * faces_.scale(through) * line;
+    Ray ray(from, line, std::numeric_limits<double>::infinity());
     std::optional<Sight> first;
-    const SegmentMisses misses(from, through + farthest_sight * line);
-    hierarchy_.search(misses, line, [&](std::uint32_t face) {
-        const Volume& volume = volumes_[face];
-        if (!volume.there || !hits(face)) return true;
-        const double height = volume.facing * faces_.height(face, through);
-        const double nearness = viewpoint_.w - height / volume.height;
-        if (first && first->nearness >= nearness) return true;
-        if (near_ && !in_front(*near_, behind(through, nearness))) return true;
-        first = Sight{face, nearness};
-        return true;
-    });
+    hierarchy_.search([&](const FaceBox& box) { return ray.misses(box); }, line,
+                      [&](std::uint32_t face) {
+                          const Volume& volume = volumes_[face];
+                          if (!volume.there || !inside_sides(face, through)) return true;
+                          const double height = volume.facing * faces_.height(face, through);
+                          const double nearness = viewpoint_.w - height / volume.height;
+                          if (first && first->nearness >= nearness) return true;
+                          const glm::dvec3 hit = behind(through, nearness);
+                          if (near_ && !in_front(*near_, hit)) return true;
+                          first = Sight{face, nearness};
+                          ray.end = glm::distance(from, hit);
+                          return true;
+                      });
     return first;
 }
 

@@ -124,6 +124,7 @@ class ShadowVolumes {
                  Backdrop& backdrop) const;
     glm::dvec3 farthest(const SpaceSegment& segment, const std::vector<Backdrop>& backdrops,
                         const glm::dvec3& direction) const;
+    bool inside_sides(std::uint32_t face, const glm::dvec3& p) const;
     bool in_front(const NearPlane& near, const glm::dvec3& p) const;
     bool clip_to_near(const SpaceSegment& segment, std::size_t face, const Ends& heights,
                       Interval& part) const;
