@@ -177,6 +177,17 @@ std::optional<float> Mesh::contrast(VertexId a, VertexId b) const {
     return greatest;
 }
 
+bool Mesh::seen(VertexId a, VertexId b) const {
+    bool even = false;
+    for (const auto& [v, w] : {std::pair{a, b}, std::pair{b, a}}) {
+        const VertexSample *left = known(corner(v, w, true)), *right = known(corner(v, w, false));
+        if (!left || !right) continue;
+        if (colour_distance(left->encoded, right->encoded) > even_distance) return true;
+        even = true;
+    }
+    return !even;
+}
+
 void Mesh::missing_sides(VertexId vertex, std::vector<MissingSide>& missing) const {
     missing.clear();
     const std::uint32_t index = sides_index_[vertex.value];

@@ -10,8 +10,9 @@ namespace povpreview {
 
 namespace {
 
-/// Vertices of chains inserted in one go, between two requests for samples: a millisecond or so.
-constexpr std::size_t chain_batch = 128;
+/// Vertices of chains inserted in one go, between two requests for samples: some milliseconds. In
+/// smaller portions more of what one changes is changed again by the next.
+constexpr std::size_t chain_batch = 512;
 
 }  // namespace
 
@@ -32,11 +33,13 @@ void MeshPreviewer::accept_edges(std::vector<EdgeChain>&& chains) {
     std::reverse(chains_.begin(), chains_.end());
 }
 
-/// Inserts known chains, heaviest first, as far as the samples so far deserve; once the first
-/// samples stand, which tell what is in between.
+/// Inserts known chains, heaviest first, as far as the samples so far deserve. They need not wait
+/// for the first answers: a side without a sample costs nothing.
 void MeshPreviewer::insert_chains() {
-    const double allowed = options_.chain_share * static_cast<double>(squares_.requested());
-    if (chains_.empty() || !cost_known() || static_cast<double>(chain_vertices_) >= allowed) return;
+    if (chains_.empty()) return;
+    const double samples = static_cast<double>(std::max(squares_.requested(), grid_.size()));
+    const double allowed = options_.chain_share * samples;
+    if (static_cast<double>(chain_vertices_) >= allowed) return;
     ChainInsertion insertion = begin_insertion();
     const std::size_t before = chain_vertices_;
     while (!chains_.empty() && chain_vertices_ < before + chain_batch &&
@@ -58,7 +61,9 @@ ChainInsertion MeshPreviewer::begin_insertion() {
 }
 
 void MeshPreviewer::finish_insertion(ChainInsertion& insertion) {
-    for (VertexId v : insertion.finish()) queue_edges(v);
+    const std::vector<VertexId> touched = insertion.finish();
+    for (VertexId v : touched) queue_edges(v, {}, touched);
+    queue_sides_around(touched);
 }
 
 }  // namespace povpreview

@@ -111,6 +111,7 @@ std::optional<Request> MeshPreviewer::request(Pending pending) {
 }
 
 std::optional<Request> MeshPreviewer::next() {
+    insert_chains();
     if (grid_asked_ < grid_.size())
         return request({Pending::Use::vertex, grid_[grid_asked_++], recent_});
     if (!retries_.empty()) {
@@ -118,7 +119,6 @@ std::optional<Request> MeshPreviewer::next() {
         retries_.pop_front();
         return request(side);
     }
-    insert_chains();
     start_outlines();
     if (search_.active() > 0 && !outlines_overdrawn()) {
         if (auto probe = next_probe()) return probe;
@@ -190,13 +190,14 @@ std::optional<Request> MeshPreviewer::refine_side(const RefinementHeap::Entry& e
     return wanted;
 }
 
-/// Whether an edge leaves anything to sample: the pixel in its middle is not asked for yet.
+/// Whether an edge leaves anything to sample: the pixel in its middle is not asked for yet. A
+/// constraint that is not seen is none worth samples of its own.
 bool MeshPreviewer::refinable(VertexId a, VertexId b, bool constrained) const {
     const Triangulation& t = mesh_.triangulation();
     const glm::dvec2 p = t.position(a), q = t.position(b);
     const Pixel pixel = squares_.pixel_at((p + q) / 2.);
     if (squares_.filling(squares_.square_of(pixel))) return false;
-    if (constrained) return glm::distance(p, q) >= shortest_constraint;
+    if (constrained) return glm::distance(p, q) >= shortest_constraint && mesh_.seen(a, b);
     return squares_.state(pixel) == BfSquares::State::unsampled;
 }
 
@@ -258,7 +259,7 @@ bool MeshPreviewer::add_vertex(glm::dvec2 position, VertexId near, const Sample&
             mesh_.fail(id);
     }
     recent_ = vertex;
-    queue_edges(vertex);
+    queue_around(vertex);
     return true;
 }
 
@@ -268,15 +269,37 @@ VertexId MeshPreviewer::live(VertexId near) const {
     return mesh_.triangulation().alive(recent_) ? recent_ : VertexId{0};
 }
 
-void MeshPreviewer::queue_edges(VertexId vertex, VertexId except) {
+/// Those to vertices of lower number among `done` stand in the heap already.
+void MeshPreviewer::queue_edges(VertexId vertex, VertexId except, std::span<const VertexId> done) {
     if (!refining_) return;
     thread_local std::vector<Spoke> fan;
     mesh_.triangulation().fan(vertex, fan);
-    for (const Spoke& spoke : fan)
-        if (spoke.to != except && refinable(vertex, spoke.to, spoke.constrained))
-            if (const auto w = weight(vertex, spoke.to)) heap_.push(vertex, spoke.to, *w);
-    queue_side(vertex);
-    for (const Spoke& spoke : fan) queue_side(spoke.to);
+    for (const Spoke& spoke : fan) {
+        if (spoke.to == except || !refinable(vertex, spoke.to, spoke.constrained)) continue;
+        if (spoke.to < vertex && std::binary_search(done.begin(), done.end(), spoke.to)) continue;
+        if (const auto w = weight(vertex, spoke.to)) heap_.push(vertex, spoke.to, *w);
+    }
+}
+
+/// What is known at a vertex tells what to expect of its neighbours' sides.
+void MeshPreviewer::queue_sides_around(std::span<const VertexId> vertices) {
+    const Triangulation& t = mesh_.triangulation();
+    if (!refining_ || t.constraints() == 0) return;
+    std::vector<Spoke> fan;
+    std::vector<VertexId> around(vertices.begin(), vertices.end());
+    for (VertexId v : vertices) {
+        t.fan(v, fan);
+        for (const Spoke& spoke : fan)
+            if (t.on_constraint(spoke.to)) around.push_back(spoke.to);
+    }
+    std::sort(around.begin(), around.end());
+    around.erase(std::unique(around.begin(), around.end()), around.end());
+    for (VertexId v : around) queue_side(v);
+}
+
+void MeshPreviewer::queue_around(VertexId vertex) {
+    queue_edges(vertex);
+    queue_sides_around({&vertex, 1});
 }
 
 void MeshPreviewer::queue_side(VertexId vertex) {

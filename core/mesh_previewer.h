@@ -2,6 +2,7 @@
 #pragma once
 
 #include <deque>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -32,9 +33,9 @@ struct MeshOptions {
     double outline_share = .05, outline_floor = .0005;
     /// No more outlines once this share of the pixels is sampled: edges are sharp by then.
     double outline_until = .1;
-    /// Vertices of exactly known chains in the mesh, for each full sample asked for: each of them
-    /// wants samples of its own, and where edges are denser than samples they show nothing.
-    double chain_share = 1;
+    /// Vertices of exactly known chains in the mesh, at most, for each full sample asked for. More
+    /// show no less of the error, but take time of our own.
+    double chain_share = 4;
     /// Side of a cell of the first, regular grid, as a share of the larger image side.
     double grid_cell = 1. / 20;
     /// A square with more than this share of its pixels sampled is filled: with a sample to every
@@ -122,8 +123,10 @@ class MeshPreviewer : public Previewer {
     VertexId live(VertexId near) const;
     std::optional<float> weight(VertexId a, VertexId b) const;
     bool refinable(VertexId a, VertexId b, bool constrained) const;
-    void queue_edges(VertexId vertex, VertexId except = {});
+    void queue_edges(VertexId vertex, VertexId except = {}, std::span<const VertexId> done = {});
+    void queue_sides_around(std::span<const VertexId> vertices);
     void queue_side(VertexId vertex);
+    void queue_around(VertexId vertex);
 
     int width_, height_;
     MeshOptions options_;
