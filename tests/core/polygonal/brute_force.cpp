@@ -32,7 +32,12 @@ BruteForce::BruteForce(const PolygonScene& scene, int mirror_depth)
         const Real length = glm::length(normal);
         const bool sound = n >= 3 && length > 0 && std::isfinite(length);
         if (sound) normal /= length;
-        planes_.push_back({normal, glm::dot(normal, centre), sound});
+        Real radius2 = 0;
+        for (std::uint32_t i = 0; i < n; ++i) {
+            const Vec3 out = corner(f, i) - centre;
+            radius2 = std::max(radius2, glm::dot(out, out));
+        }
+        planes_.push_back({normal, glm::dot(normal, centre), sound, centre, 1.001L * radius2});
     }
 }
 
@@ -89,6 +94,9 @@ std::optional<glm::dvec2> BruteForce::project(const Vec3& point) const {
 std::optional<Real> BruteForce::meet(const Ray& ray, std::uint32_t face) const {
     const Plane& plane = planes_[face];
     if (!plane.sound) return std::nullopt;
+    const Vec3 past = glm::cross(ray.direction, plane.centre - ray.origin);
+    if (glm::dot(past, past) > plane.radius2 * glm::dot(ray.direction, ray.direction))
+        return std::nullopt;
     const Real slope = glm::dot(plane.normal, ray.direction);
     if (slope == 0) return std::nullopt;
     const Real t = (plane.offset - glm::dot(plane.normal, ray.origin)) / slope;

@@ -73,6 +73,9 @@ class BruteForce {
         Vec3 normal;  ///< of length 1
         Real offset;  ///< dot(normal, point) - offset = height of a point
         bool sound;   ///< a face with an area
+        // A ball around the face, for telling soon what lines miss it.
+        Vec3 centre;
+        Real radius2;  ///< its radius, squared
     };
     std::optional<Real> meet(const Ray& ray, std::uint32_t face) const;
     Real height(const Vec3& point, std::uint32_t face) const;
