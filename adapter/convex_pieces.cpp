@@ -2,8 +2,7 @@
 #include "adapter/convex_pieces.h"
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
-#include <CGAL/Constrained_triangulation_plus_2.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
@@ -16,7 +15,8 @@
 namespace povpreview {
 namespace {
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+/// Crossings are constructed exactly: rounded ones may lie on the wrong side of a third side.
+using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
 using Point2 = Kernel::Point_2;
 
 constexpr std::uint32_t none = ~std::uint32_t{0};
@@ -30,10 +30,8 @@ struct FaceInfo {
 using Vertices = CGAL::Triangulation_vertex_base_with_info_2<VertexInfo, Kernel>;
 using Faces = CGAL::Constrained_triangulation_face_base_2<
     Kernel, CGAL::Triangulation_face_base_with_info_2<FaceInfo, Kernel>>;
-// "plus": it knows how often a side was inserted; sides of two rings that coincide are no border.
-using Triangulation =
-    CGAL::Constrained_triangulation_plus_2<CGAL::Constrained_Delaunay_triangulation_2<
-        Kernel, CGAL::Triangulation_data_structure_2<Vertices, Faces>, CGAL::Exact_predicates_tag>>;
+using Triangulation = CGAL::Constrained_Delaunay_triangulation_2<
+    Kernel, CGAL::Triangulation_data_structure_2<Vertices, Faces>, CGAL::Exact_intersections_tag>;
 using Edge = Triangulation::Edge;
 using FaceHandle = Triangulation::Face_handle;
 
@@ -45,30 +43,34 @@ struct Projection {
     Point2 flat(const glm::dvec3& p) const { return {p[u], p[v]}; }
     glm::dvec3 lifted(const Point2& p) const {
         glm::dvec3 result;
-        result[u] = p.x();
-        result[v] = p.y();
-        result[w] = origin[w] -
-                    (normal[u] * (p.x() - origin[u]) + normal[v] * (p.y() - origin[v])) / normal[w];
+        result[u] = CGAL::to_double(p.x());
+        result[v] = CGAL::to_double(p.y());
+        result[w] =
+            origin[w] -
+            (normal[u] * (result[u] - origin[u]) + normal[v] * (result[v] - origin[v])) / normal[w];
         return result;
     }
 };
 
-/// That of the ring with the largest area.
+/// By the triangle of a first point, the one farthest from it, and the one farthest from their
+/// line: the rings may wind any way, so their areas may cancel out.
 std::optional<Projection> projection(const std::vector<IndexRing>& rings,
                                      const std::vector<glm::dvec3>& points) {
-    glm::dvec3 normal(0), origin(0);
-    for (const IndexRing& ring : rings) {
-        glm::dvec3 area(0);
-        for (std::size_t i = 2; i < ring.size(); ++i)
-            area += glm::cross(points[ring[i - 1]] - points[ring[0]],
-                               points[ring[i]] - points[ring[0]]);
-        if (glm::dot(area, area) > glm::dot(normal, normal)) {
-            normal = area;
-            origin = points[ring[0]];
+    const auto size2 = [](const glm::dvec3& v) { return glm::dot(v, v); };
+    if (rings.empty() || rings.front().empty()) return std::nullopt;
+    const glm::dvec3 origin = points[rings.front().front()];
+    glm::dvec3 axis(0), normal(0);
+    for (const IndexRing& ring : rings)
+        for (const std::uint32_t i : ring)
+            if (size2(points[i] - origin) > size2(axis)) axis = points[i] - origin;
+    for (const IndexRing& ring : rings)
+        for (const std::uint32_t i : ring) {
+            const glm::dvec3 area = glm::cross(axis, points[i] - origin);
+            if (size2(area) > size2(normal)) normal = area;
         }
-    }
-    const double size = glm::dot(normal, normal);
-    if (!(size > 0) || !std::isfinite(size)) return std::nullopt;
+    constexpr double thinnest = 1e-12;  // width of a polygon relative to its length
+    const double size = std::sqrt(size2(normal));
+    if (!(size > thinnest * size2(axis)) || !std::isfinite(size)) return std::nullopt;
     const glm::dvec3 a = glm::abs(normal);
     const int w = a.x >= a.y && a.x >= a.z ? 0 : a.y >= a.z ? 1 : 2;
     return Projection{(w + 1) % 3, (w + 2) % 3, w, normal, origin};
@@ -92,15 +94,42 @@ bool is_convex(const IndexRing& ring, const std::vector<glm::dvec3>& points,
     return left != right && turns_of_direction == 2;
 }
 
-bool is_border(const Triangulation& triangulation, const Edge& edge) {
-    if (!triangulation.is_constrained(edge)) return false;
-    const auto a = edge.first->vertex(Triangulation::cw(edge.second)),
-               b = edge.first->vertex(Triangulation::ccw(edge.second));
-    return triangulation.number_of_enclosing_constraints(a, b) % 2 == 1;
+using Vertex = Triangulation::Vertex_handle;
+struct Side {
+    Vertex from, to;
+};
+
+std::vector<Side> insert_sides(const std::vector<IndexRing>& rings,
+                               const std::vector<glm::dvec3>& points, const Projection& plane,
+                               Triangulation& triangulation) {
+    std::vector<Side> sides;
+    for (const IndexRing& ring : rings) {
+        const std::size_t first = sides.size();
+        for (const std::uint32_t i : ring) {
+            const Vertex vertex = triangulation.insert(plane.flat(points[i]));
+            vertex->info().point = i;
+            if (sides.size() > first) sides.back().to = vertex;
+            sides.push_back({vertex, vertex});
+        }
+        if (sides.size() > first) sides.back().to = sides[first].from;
+    }
+    std::erase_if(sides, [](const Side& side) { return side.from == side.to; });
+    for (const Side& side : sides) triangulation.insert_constraint(side.from, side.to);
+    return sides;
 }
 
-/// From outside inwards, every border passed.
-void mark_inside(const Triangulation& triangulation) {
+/// Whether no two sides cross, touch but for their ends, or run along each other.
+bool are_simple(const std::vector<Side>& sides, const Triangulation& triangulation) {
+    std::size_t constrained = 0;
+    for (const Edge& edge : triangulation.finite_edges())
+        constrained += triangulation.is_constrained(edge);
+    return constrained == sides.size() &&
+           std::all_of(sides.begin(), sides.end(),
+                       [&](const Side& side) { return triangulation.is_edge(side.from, side.to); });
+}
+
+/// From outside inwards, each side a border. REQUIRES: are_simple().
+void mark_by_borders(const Triangulation& triangulation) {
     std::vector<FaceHandle> waiting{triangulation.infinite_face()};
     waiting.front()->info().surrounded = 0;
     while (!waiting.empty()) {
@@ -110,9 +139,26 @@ void mark_inside(const Triangulation& triangulation) {
             const FaceHandle next = face->neighbor(i);
             if (next->info().surrounded >= 0) continue;
             next->info().surrounded =
-                face->info().surrounded ^ static_cast<int>(is_border(triangulation, {face, i}));
+                face->info().surrounded ^ static_cast<int>(triangulation.is_constrained({face, i}));
             waiting.push_back(next);
         }
+    }
+}
+
+/// Each triangle by itself, by the sides that a line from its middle crosses: a border along which
+/// several sides run counts as often as they do.
+void mark_by_crossings(const std::vector<Side>& sides, const Triangulation& triangulation) {
+    for (const FaceHandle face : triangulation.finite_face_handles()) {
+        const Point2 middle = CGAL::centroid(face->vertex(0)->point(), face->vertex(1)->point(),
+                                             face->vertex(2)->point());
+        bool odd = false;
+        for (const Side& side : sides) {
+            const Point2 &a = side.from->point(), &b = side.to->point();
+            if ((a.y() > middle.y()) != (b.y() > middle.y()) &&
+                middle.x() < a.x() + (middle.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x()))
+                odd = !odd;
+        }
+        face->info().surrounded = odd;
     }
 }
 
@@ -151,7 +197,6 @@ class Pieces {
     }
 
    private:
-    using Vertex = Triangulation::Vertex_handle;
     using Loop = std::vector<Vertex>;
 
     std::uint32_t root(std::uint32_t piece) {
@@ -199,24 +244,17 @@ std::vector<IndexRing> convex_pieces(const std::vector<IndexRing>& rings,
     if (rings.size() == 1 && is_convex(rings.front(), points, *plane)) return rings;
 
     Triangulation triangulation;
-    for (const IndexRing& ring : rings) {
-        std::vector<Triangulation::Vertex_handle> vertices;
-        for (const std::uint32_t i : ring) {
-            vertices.push_back(triangulation.insert(plane->flat(points[i])));
-            vertices.back()->info().point = i;
-        }
-        for (std::size_t i = 0; i < vertices.size(); ++i) {
-            const auto a = vertices[i], b = vertices[(i + 1) % vertices.size()];
-            if (a != b) triangulation.insert_constraint(a, b);
-        }
-    }
+    const std::vector<Side> sides = insert_sides(rings, points, *plane, triangulation);
     if (triangulation.dimension() < 2) return {};
     for (const auto vertex : triangulation.finite_vertex_handles()) {
         if (vertex->info().point != none) continue;
         vertex->info().point = static_cast<std::uint32_t>(points.size());
         points.push_back(plane->lifted(vertex->point()));
     }
-    mark_inside(triangulation);
+    if (are_simple(sides, triangulation))
+        mark_by_borders(triangulation);
+    else
+        mark_by_crossings(sides, triangulation);
     Pieces pieces(triangulation);
     pieces.merge();
     return pieces.rings();

@@ -49,7 +49,7 @@ class TracerProcess {
    public:
     /// Starts `program`, looked up in PATH if it has no slash. Throws Error if that fails.
     TracerProcess(const std::string& program, const std::vector<std::string>& arguments,
-                  bool geometry);
+                  bool geometry = false);
     /// Ends and reaps the child; see stop().
     ~TracerProcess();
     TracerProcess(const TracerProcess&) = delete;

@@ -2,6 +2,8 @@
 #include "backend/oracle/compound_faces.h"
 
 #include <algorithm>
+#include <string_view>
+#include <utility>
 
 // The order of POV-Ray's headers matters: frame.h first, povdebug.h last.
 // clang-format off
@@ -12,6 +14,7 @@
 #include "backend/shape/boxes.h"
 #include "backend/shape/cones.h"
 #include "backend/shape/csg.h"
+#include "backend/shape/discs.h"
 #include "backend/shape/planes.h"
 #include "backend/shape/spheres.h"
 // clang-format on
@@ -37,19 +40,23 @@ const std::vector<pov::ObjectPtr>& children(const pov::ObjectBase& object) {
     return static_cast<const pov::CompoundObject&>(object).children;
 }
 
-/// An even-odd polygon as convex ones: in coordinates of its own plane.
+/// An even-odd polygon as convex ones, by way of coordinates in its plane. That is spanned by a
+/// first point, the one farthest from it, and the one farthest from their line: areas of the rings
+/// may cancel out.
 std::vector<ConvexPolygon> convex_pieces(const std::vector<ConvexPolygon>& rings) {
-    Point normal, origin = rings.front().front();
-    for (const ConvexPolygon& ring : rings) {
-        const Point area = area_normal(ring);
-        if (length(area) > length(normal)) normal = area;
-    }
+    const Point origin = rings.front().front();
+    Point u, normal;
+    for (const ConvexPolygon& ring : rings)
+        for (const Point& p : ring)
+            if (length(p - origin) > length(u)) u = p - origin;
+    for (const ConvexPolygon& ring : rings)
+        for (const Point& p : ring) {
+            const Point area = cross(u, p - origin);
+            if (length(area) > length(normal)) normal = area;
+        }
     if (!(length(normal) > 0)) return {};
-    Point u;
-    for (const Point& p : rings.front())
-        if (length(p - origin) > length(u)) u = p - origin;
-    u = (1 / length(u)) * u;
     Point v = cross(normal, u);
+    u = (1 / length(u)) * u;
     v = (1 / length(v)) * v;
     std::vector<Ring> flat;
     for (const ConvexPolygon& ring : rings) {
@@ -93,6 +100,8 @@ const char* CompoundFaces::add(const pov::ObjectBase& object, const pov::ObjectB
                                                    : Solid::Kind::unite;
         // POV-Ray looks at the flags of an intersection as a whole, but of each part of a union.
         if (intersection && flagged == nullptr) flagged = &object;
+        const bool cut = cut_by_others_;
+        cut_by_others_ = cut || solid.kind != Solid::Kind::unite;
         solid.parts.reserve(children(object).size());
         for (const pov::ObjectPtr child : children(object)) {
             if (is_a<pov::LightSource>(*child)) {
@@ -102,6 +111,7 @@ const char* CompoundFaces::add(const pov::ObjectBase& object, const pov::ObjectB
             solid.parts.emplace_back();
             if (const char* reason = add(*child, flagged, solid.parts.back())) return reason;
         }
+        cut_by_others_ = cut;
     } else if (const char* reason =
                    add_primitive(object, flagged != nullptr ? *flagged : object, solid)) {
         return reason;
@@ -113,12 +123,14 @@ const char* CompoundFaces::add(const pov::ObjectBase& object, const pov::ObjectB
 const char* CompoundFaces::add_clips(const pov::ObjectBase& object, Solid& solid) {
     if (is_a<pov::BicubicPatch>(object)) return nullptr;  // POV-Ray does not clip it
     const std::size_t shown = primitives_.size();
+    const bool cut = std::exchange(cut_by_others_, false);
     for (const pov::ObjectPtr clip : object.Clip) {
         solid.clips.emplace_back();
         if (const char* reason = add(*clip, &object, solid.clips.back())) {
             return std::string_view(reason) == "curved" ? "clipped by something curved" : reason;
         }
     }
+    cut_by_others_ = cut;
     primitives_.resize(shown);  // only their inside is needed, and the solid has that
     return nullptr;
 }
@@ -131,6 +143,9 @@ const char* CompoundFaces::add_primitive(const pov::ObjectBase& object,
     ObjectFaces& faces = primitives_.back().faces;
     if (const char* reason = faces_of(object, limits_, faces)) return reason;
     if (!has_cells(object)) return "has an inside that is not known to be convex";
+    // POV-Ray shows what is cut by it as far as rays meet a box around the disc itself.
+    if (cut_by_others_ && is_a<pov::Disc>(object))
+        return "has a disc, whose inside is half of space";
     for (const ObjectFaces::Ring& ring : faces.rings)
         if (ring.count > max_corners) return "too many corners";
     solid.kind = Solid::Kind::leaf;

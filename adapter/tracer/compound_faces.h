@@ -42,6 +42,7 @@ class CompoundFaces {
     Inside inside_;
     std::deque<Primitive> primitives_;
     std::vector<SolidPiece> pieces_;
+    bool cut_by_others_ = false;  ///< what is being added is part of an intersection or merge
 };
 
 }  // namespace povpreview::tracer

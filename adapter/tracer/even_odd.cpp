@@ -2,6 +2,8 @@
 #include "backend/oracle/even_odd.h"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 namespace povpreview::tracer {
 
@@ -42,19 +44,24 @@ void add_crossings(const std::vector<Edge>& edges, double low, double high,
         }
 }
 
+/// From one edge to the next at a level; where they meet, rounding could put them in wrong order.
+std::pair<double, double> between(const Edge& left, const Edge& right, double level) {
+    const double u = left.at(level), v = right.at(level);
+    constexpr double rounding = 1e-12;
+    return {u, v - u > rounding * (std::fabs(u) + std::fabs(v)) ? v : u};
+}
+
 void add_slab(std::vector<Edge>& edges, double low, double high, std::vector<Ring>& pieces) {
     const double middle = low + (high - low) / 2;
     std::sort(edges.begin(), edges.end(),
               [middle](const Edge& a, const Edge& b) { return a.at(middle) < b.at(middle); });
     for (std::size_t i = 0; i + 1 < edges.size(); i += 2) {
-        const Edge &left = edges[i], &right = edges[i + 1];
-        Ring piece{{left.at(low), low}};
-        const auto add = [&piece](double u, double v) {
-            if (!(piece.back() == Point2{u, v})) piece.push_back({u, v});
-        };
-        add(right.at(low), low);
-        add(right.at(high), high);
-        add(left.at(high), high);
+        const auto [low_left, low_right] = between(edges[i], edges[i + 1], low);
+        const auto [high_left, high_right] = between(edges[i], edges[i + 1], high);
+        Ring piece{{low_left, low}};
+        if (low_right != low_left) piece.push_back({low_right, low});
+        piece.push_back({high_right, high});
+        if (high_left != high_right) piece.push_back({high_left, high});
         if (piece.size() >= 3) pieces.push_back(std::move(piece));
     }
 }

@@ -17,11 +17,11 @@ using Ring = std::vector<Point2>;
 /// Cuts the inside of rings, by POV-Ray's even-odd rule, into convex pieces: between the levels of
 /// all corners and crossings the sides do not meet, and every other gap is inside.
 ///
-///       /\                 /\           level
-///      /  \   /\         -/--\---/\-    level
-///     /    \ /  \        /    \ /  \
-///    /      X    \  ->  -------X------ level (crossing)
-///   /______/ \____\     /_____/ \_____\
+///     +-----+             +-----+        level
+///     |     +-----+       |     +-----+  level
+///     |  +--|--+  |  ->   |  +--+--+  |  level, where the hole begins
+///     |  |  |  |  |       |  |  |  |  |
+///     +--+--+--+--+       +--+  +--+--+  level
 ///
 /// Makes no difference between rings that are simple, nested, or cross themselves or each other.
 std::vector<Ring> trapezoids(const std::vector<Ring>& rings);

@@ -12,6 +12,8 @@
 //   fault=NAME     does NAME instead of the (die_after + 1)th sample's slice: stall, stop, half,
 //                  garbage, huge, batch, count, twice, missing, outside, failure, silent_exit,
 //                  scene_again, hello_again, early_answer ...
+//   geometry=NAME  sends geometry after the scene: two chunks, or NAME is twice (after its end),
+//                  early (before the scene), wrong (an index out of range), half (dies within it)
 //   parse=NAME     ends before the scene: error, exit, kill, refuse, hang, slow, bad_version,
 //                  no_hello, bad_size, tiny
 //   stubborn       ignores SIGTERM and the end of the wire
@@ -64,6 +66,7 @@ class FakeTracer {
     void send(const Bytes& bytes) const;
     bool read_orders(bool wait);
     void parse();
+    void send_geometry() const;
     void answer_one();
     Slice slice(const Order& order, std::uint32_t first, std::uint32_t count) const;
     void commit_fault(Slice& right);
@@ -96,8 +99,10 @@ FakeTracer::FakeTracer(int wire, int argc, char** argv) : wire_(wire) {
             equals == std::string::npos ? "" : word.substr(equals + 1);
     }
     if (!has("once")) return;
-    if (std::ifstream(text("once")))
+    if (std::ifstream(text("once"))) {
+        if (has("geometry")) options_["geometry"] = "";
         for (const char* fault : {"die_after", "die_at", "fault", "parse"}) options_.erase(fault);
+    }
     std::ofstream(text("once")) << "lived\n";
 }
 
@@ -157,7 +162,19 @@ void FakeTracer::parse() {
     if (how == "hang") hang();
     if (how == "slow") usleep(400'000);
     if (how == "bad_size") send(scene_frame(0, 48));
+    if (text("geometry") == "early") send(geometry_frame(small_geometry(), true));
     send(how == "tiny" ? scene_frame(1, 1) : scene_frame(width, height));
+    if (has("geometry")) send_geometry();
+}
+
+void FakeTracer::send_geometry() const {
+    const std::string how = text("geometry");
+    Geometry geometry = small_geometry();
+    send(geometry_frame(geometry, false));
+    if (how == "half") die();
+    if (how == "wrong") geometry.corners.back() = 1000;
+    send(geometry_frame(geometry, true));
+    if (how == "twice") send(geometry_frame(geometry, true));
 }
 
 Slice FakeTracer::slice(const Order& order, std::uint32_t first, std::uint32_t count) const {

@@ -98,6 +98,69 @@ Bytes answer_frame(const Slice& slice) {
             .Union());
 }
 
+Bytes geometry_frame(const Geometry& geometry, bool last) {
+    using Flags = wire::PolygonFlags;
+    std::vector<wire::Vec3d> points;
+    for (const glm::dvec3& p : geometry.points) points.emplace_back(p.x, p.y, p.z);
+    std::vector<std::uint32_t> rings;
+    for (const Geometry::Ring& ring : geometry.rings) rings.push_back(ring.count);
+    std::vector<wire::Polygon> polygons;
+    for (const Geometry::Polygon& polygon : geometry.polygons) {
+        const Face& face = polygon.face;
+        Flags flags = Flags::NONE;
+        const auto set = [&flags](bool condition, Flags flag) {
+            if (condition) flags |= flag;
+        };
+        set(polygon.convex, Flags::convex);
+        set(face.transparent, Flags::transparent);
+        set(!face.casts_shadow, Flags::no_shadow);
+        set(!face.visible, Flags::no_image);
+        set(!face.reflected, Flags::no_reflection);
+        set(face.lit_from_behind, Flags::double_illuminate);
+        polygons.emplace_back(face.surface, face.material, face.smooth, face.mirror, polygon.rings,
+                              flags);
+    }
+    Builder b;
+    std::vector<flatbuffers::Offset<wire::LeftOut>> left_out;
+    for (const Geometry::LeftOut& l : geometry.left_out)
+        left_out.push_back(wire::CreateLeftOutDirect(b, l.kind.c_str(), l.reason.c_str(), l.count));
+    return frame(b, wire::Report::Geometry,
+                 wire::CreateGeometryDirect(b, &points, &geometry.corners, &rings, &polygons,
+                                            &left_out, last)
+                     .Union());
+}
+
+Geometry small_geometry() {
+    Geometry geometry;
+    for (int i = 0; i < 12; ++i) geometry.points.emplace_back(i % 4, i / 4, .5);
+    const auto add = [&geometry](std::vector<std::vector<std::uint32_t>> rings, Face face) {
+        geometry.polygons.push_back(
+            {.first_ring = static_cast<std::uint32_t>(geometry.rings.size()),
+             .rings = static_cast<std::uint32_t>(rings.size()),
+             .convex = rings.size() == 1,
+             .face = face});
+        for (const auto& ring : rings) {
+            geometry.rings.push_back({static_cast<std::uint32_t>(geometry.corners.size()),
+                                      static_cast<std::uint32_t>(ring.size())});
+            geometry.corners.insert(geometry.corners.end(), ring.begin(), ring.end());
+        }
+    };
+    geometry.points.insert(geometry.points.end(), {{1.2, .4, .5}, {1.8, .4, .5}, {1.5, 1.2, .5}});
+    Face face;
+    face.surface = 77;
+    face.material = 3;
+    add({{0, 1, 4}}, face);
+    face.smooth = 9;
+    face.transparent = true;
+    face.casts_shadow = face.visible = face.reflected = false;
+    face.lit_from_behind = true;
+    face.mirror = .25;
+    add({{1, 5, 4}}, face);
+    add({{0, 3, 11, 8}, {12, 13, 14}}, Face{});
+    geometry.left_out = {{"sphere", "curved", 4}};
+    return geometry;
+}
+
 Order decode_order(const Bytes& flatbuffer) {
     const auto* bytes = reinterpret_cast<const std::uint8_t*>(flatbuffer.data());
     flatbuffers::Verifier verifier(bytes, flatbuffer.size());

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "adapter/geometry.h"
 #include "core/oracle.h"
 
 /// The tracer's end of the wire for tests: makes frames, right ones and wrong ones.
@@ -31,6 +32,11 @@ Bytes scene_frame(std::uint32_t width, std::uint32_t height);
 /// A scene whose `features` are `count` times the same name of `length` characters, stored once.
 Bytes swollen_scene_frame(std::size_t count, std::size_t length);
 Bytes answer_frame(const Slice& slice);
+/// A chunk of geometry, its indices and counts as they are, right or wrong. Of a polygon's face all
+/// but its corners is sent.
+Bytes geometry_frame(const Geometry& geometry, bool last);
+/// Two triangles with a common edge and a square with a hole, and something left out.
+Geometry small_geometry();
 Bytes failure_frame(const std::string& message, const std::string& file, std::uint32_t line);
 
 struct Order {

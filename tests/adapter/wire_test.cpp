@@ -45,7 +45,8 @@ std::vector<Bytes> all_reports() {
             fake::answer_frame(slice_of(5, RayKind::full, everything)),
             fake::answer_frame(slice_of(5, RayKind::probe, Parts::colour)),
             fake::answer_frame(slice_of(5, RayKind::albedo, Parts::colour)),
-            fake::answer_frame(failed)};
+            fake::answer_frame(failed),
+            fake::geometry_frame(fake::small_geometry(), true)};
 }
 
 Bytes content(const Bytes& frame) { return {frame.begin() + 4, frame.end()}; }

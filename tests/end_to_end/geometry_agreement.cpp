@@ -82,9 +82,36 @@ Bounds bounds_of(const PolygonScene& scene, const std::vector<glm::dvec3>& corne
     return behind ? all : result;
 }
 
-/// What faces were found along the ray of a probe.
+/// Distance of a position to the outline of a face in the image, pixels; a lot if the face reaches
+/// behind the eye.
+double distance_to_outline(const PolygonScene& scene, const std::vector<glm::dvec3>& corners,
+                           const glm::dvec2& position) {
+    std::vector<glm::dvec2> outline;
+    for (const glm::dvec3& corner : corners) {
+        const glm::dvec3 p = scene.camera.to_pixels * glm::dvec4(corner, 1);
+        if (glm::dot(scene.camera.depth, glm::dvec4(corner, 1)) <= 0) return 1e9;
+        outline.push_back(glm::dvec2(p) / p.z);
+    }
+    double nearest = 1e9;
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+        const glm::dvec2 a = outline[i], ab = outline[(i + 1) % outline.size()] - a;
+        const double length2 = glm::dot(ab, ab);
+        const double t = length2 > 0 ? glm::dot(position - a, ab) / length2 : 0;
+        nearest = std::min(nearest, glm::length(position - a - std::clamp(t, 0., 1.) * ab));
+    }
+    return nearest;
+}
+/// Pixels; see GeometryAgreement::at_edges.
+constexpr double hair = .01;
+/// Between them POV-Ray looks for hits: its MIN_ISECT_DEPTH and MAX_DISTANCE, amply.
+constexpr double too_near = 1e-3, too_far = 9.9e6;
+
+/// What faces were found along the ray of a probe, or within a hair of it.
 struct Found {
-    bool matching = false, in_front = false;
+    bool matching = false, nearly_matching = false;
+    bool in_front = false, surely_in_front = false;
+    std::uint32_t nearest = 0;
+    double depth = 1e30;  ///< of the nearest
 };
 
 /// Probes by the pixel that they are in.
@@ -120,6 +147,42 @@ double tolerance(double depth, const glm::dvec3& at, double cosine) {
 
 }  // namespace
 
+namespace {
+
+/// One face against the probes whose positions are near its image.
+void see_face(const PolygonScene& scene, const Face& face, std::span<const Sample> probes,
+              const std::vector<Ray>& rays, const PixelBins& bins, std::vector<Found>& found) {
+    const std::vector<glm::dvec3> corners = corners_of(scene, face);
+    const glm::dvec3 area = area_of(corners);
+    if (!(glm::length(area) > 0)) return;
+    const glm::dvec3 normal = glm::normalize(area);
+    bins.for_each_in(bounds_of(scene, corners), [&](std::size_t i) {
+        const Sample& probe = probes[i];
+        const auto by_a_hair = [&] {
+            return distance_to_outline(scene, corners, probe.position) < hair;
+        };
+        Found& seen = found[i];
+        if (probe.surface == face.surface && !seen.nearly_matching)
+            seen.nearly_matching = by_a_hair();
+        const double depth = hit(rays[i], corners, normal);
+        if (depth < too_near || depth > too_far) return;
+        const double slack = tolerance(depth, rays[i].origin + depth * rays[i].direction,
+                                       glm::dot(normal, rays[i].direction));
+        if (depth < seen.depth) {
+            seen.depth = depth;
+            seen.nearest = face.surface;
+        }
+        if (probe.surface == 0 || depth < probe.depth - slack) {
+            seen.in_front = true;
+            seen.surely_in_front = seen.surely_in_front || !by_a_hair();
+        } else if (probe.surface == face.surface && depth < probe.depth + slack) {
+            seen.matching = true;
+        }
+    });
+}
+
+}  // namespace
+
 GeometryAgreement compare_geometry(const PolygonScene& scene, std::span<const Sample> probes) {
     std::vector<Ray> rays;
     for (const Sample& probe : probes) rays.push_back(ray_through(scene.camera, probe.position));
@@ -129,33 +192,22 @@ GeometryAgreement compare_geometry(const PolygonScene& scene, std::span<const Sa
     for (const Face& face : scene.faces) {
         if (!face.visible || face.count < 3) continue;
         surfaces.insert(face.surface);
-        const std::vector<glm::dvec3> corners = corners_of(scene, face);
-        const glm::dvec3 area = area_of(corners);
-        if (!(glm::length(area) > 0)) continue;
-        const glm::dvec3 normal = glm::normalize(area);
-        bins.for_each_in(bounds_of(scene, corners), [&](std::size_t i) {
-            const double depth = hit(rays[i], corners, normal);
-            constexpr double too_near = 1e-3;  // POV-Ray's MIN_ISECT_DEPTH, amply
-            if (depth < too_near || depth > 9.9e6) return;
-            const double slack = tolerance(depth, rays[i].origin + depth * rays[i].direction,
-                                           glm::dot(normal, rays[i].direction));
-            const Sample& probe = probes[i];
-            if (probe.surface == 0 || depth < probe.depth - slack)
-                found[i].in_front = true;
-            else if (probe.surface == face.surface && depth < probe.depth + slack)
-                found[i].matching = true;
-        });
+        see_face(scene, face, probes, rays, bins, found);
     }
     GeometryAgreement result;
     for (std::size_t i = 0; i < probes.size(); ++i) {
         if (probes[i].failed) continue;
-        ++result.probes;
+        const Found& seen = found[i];
         const bool on_face = surfaces.count(probes[i].surface) > 0;
+        const bool missing = on_face && !seen.matching && !seen.in_front && !seen.nearly_matching;
+        const bool agrees = !seen.in_front && (seen.matching || !on_face);
+        ++result.probes;
         result.on_faces += on_face;
-        const bool missing = on_face && !found[i].matching && !found[i].in_front;
         result.missing += missing;
-        result.in_front += found[i].in_front;
-        if ((missing || found[i].in_front) && result.worst.size() < 20) result.worst.push_back(i);
+        result.in_front += seen.surely_in_front;
+        result.at_edges += !agrees && !missing && !seen.surely_in_front;
+        if ((missing || seen.surely_in_front) && result.examples.size() < 20)
+            result.examples.push_back({i, seen.nearest, seen.depth});
     }
     return result;
 }

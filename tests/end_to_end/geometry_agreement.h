@@ -16,10 +16,19 @@ namespace povpreview {
 /// with that identity lies at that depth.
 struct GeometryAgreement {
     std::size_t probes = 0;
-    std::size_t on_faces = 0;        ///< hit a surface of which there are faces
-    std::size_t missing = 0;         ///< of them, those without a face there
-    std::size_t in_front = 0;        ///< probes with a face before what they hit
-    std::vector<std::size_t> worst;  ///< indices of the first that do not agree
+    std::size_t on_faces = 0;  ///< hit a surface of which there are faces
+    std::size_t missing = 0;   ///< of them, those without a face there
+    std::size_t in_front = 0;  ///< probes with a face before what they hit
+    /// Such as these, but for less than a hundredth of a pixel: POV-Ray keeps meshes in single
+    /// precision, and where it sees them edge-on, that makes them a hair thicker or thinner.
+    std::size_t at_edges = 0;
+    /// A probe that does not agree, and the nearest face along its ray; surface 0: none.
+    struct Example {
+        std::size_t probe;
+        std::uint32_t surface;
+        double depth;
+    };
+    std::vector<Example> examples;  ///< the first ones
 
     std::size_t disagreeing() const { return missing + in_front; }
     double share() const {

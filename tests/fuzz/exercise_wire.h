@@ -31,6 +31,17 @@ inline bool exercise_wire(std::span<const std::byte> stream, std::size_t chunk) 
             promise(!sample.failed || sample.colour == glm::vec3(0));
         }
     };
+    const auto walk = [&](const Geometry& geometry) {
+        for (const std::uint32_t corner : geometry.corners)
+            promise(corner < geometry.points.size());
+        for (const Geometry::Ring& ring : geometry.rings)
+            promise(ring.first <= geometry.corners.size() &&
+                    ring.count <= geometry.corners.size() - ring.first);
+        for (const Geometry::Polygon& polygon : geometry.polygons)
+            promise(polygon.first_ring <= geometry.rings.size() &&
+                    polygon.rings <= geometry.rings.size() - polygon.first_ring &&
+                    polygon.face.mirror >= 0 && polygon.face.mirror <= 1);
+    };
     FrameReader reader;
     try {
         while (!stream.empty()) {
@@ -40,6 +51,8 @@ inline bool exercise_wire(std::span<const std::byte> stream, std::size_t chunk) 
                 promise(frame.size() <= wire_max_frame);
                 const Report report = decode_report(frame);
                 if (const auto* answer = std::get_if<report::Answer>(&report)) read_all(*answer);
+                if (const auto* geometry = std::get_if<report::GeometryChunk>(&report))
+                    walk(geometry->part);
                 if (const auto* scene = std::get_if<SceneDescription>(&report))
                     promise(scene->width >= 1 && scene->height >= 1);
             });
