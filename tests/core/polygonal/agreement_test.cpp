@@ -93,8 +93,8 @@ TEST_P(Agreement, ReflectedPiecesPartWhatMirrorsShow) {
 
 INSTANTIATE_TEST_SUITE_P(Families, Agreement,
                          testing::Values(Family::triangles, Family::boxes, Family::turned_boxes,
-                                         Family::room, Family::smooth_balls, Family::flat_balls,
-                                         Family::mirrors, Family::mirror_hall,
+                                         Family::blocks, Family::room, Family::smooth_balls,
+                                         Family::flat_balls, Family::mirrors, Family::mirror_hall,
                                          Family::mixed_styles),
                          testing::PrintToStringParamName());
 

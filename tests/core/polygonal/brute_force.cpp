@@ -162,6 +162,7 @@ void BruteForce::follow(const Ray& ray, const Hit& from, Sight& sight) const {
         Hit hit{.face = met[i].face,
                 .point = ray.origin + met[i].t * ray.direction,
                 .distance = from.distance + met[i].t * length,
+                .from_mirror = met[i].t * length,
                 .mirrors = from.mirrors,
                 .path = from.path};
         const Real slope = glm::dot(planes_[hit.face].normal, ray.direction) / length;

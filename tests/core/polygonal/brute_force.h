@@ -26,6 +26,7 @@ struct Hit {
     std::uint32_t face = 0;
     Vec3 point{0};
     Real distance = 0;           ///< from the eye along all mirrors, in units of the scene
+    Real from_mirror = 0;        ///< the same, from the last mirror on
     std::uint32_t mirrors = 0;   ///< reflections between the eye and the point
     std::uint64_t path = 0;      ///< which mirrors these are: equal for the same ones
     std::uint32_t lit = 0;       ///< bit i: light i of the scene's list shines on it, unhindered

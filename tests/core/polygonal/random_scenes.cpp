@@ -38,6 +38,17 @@ void add_boxes(SceneBuilder& builder, Dice& dice, bool turned) {
     }
 }
 
+/// Boxes in cells of a grid, so that neighbours have sides, edges and corners in common.
+void add_blocks(SceneBuilder& builder, Dice& dice) {
+    const double half = dice.from_to(.3, .5);
+    for (int i = 0; i < 36; ++i) {
+        if (!dice.chance(.35)) continue;
+        builder.style.material = std::uint32_t(dice.whole(1, 2));
+        builder.box(half * glm::dvec3(2 * (i % 4) - 3, 2 * (i / 16) + 1, 2 * (i / 4 % 4) - 3),
+                    glm::dvec3(half));
+    }
+}
+
 void add_balls(SceneBuilder& builder, Dice& dice, bool smooth) {
     for (int i = dice.whole(1, 3); i > 0; --i) {
         const glm::dvec3 centre = dice.vector(-1.5, 1.5) + glm::dvec3(0, 1.5, 0);
@@ -111,9 +122,9 @@ void add_camera(SceneBuilder& builder, Dice& dice, bool inside, bool parallel, i
 }  // namespace
 
 std::ostream& operator<<(std::ostream& out, Family family) {
-    constexpr const char* names[] = {"triangles", "boxes",        "turned_boxes",
-                                     "room",      "smooth_balls", "flat_balls",
-                                     "mirrors",   "mirror_hall",  "mixed_styles"};
+    constexpr const char* names[] = {"triangles",   "boxes",        "turned_boxes", "blocks",
+                                     "room",        "smooth_balls", "flat_balls",   "mirrors",
+                                     "mirror_hall", "mixed_styles"};
     return out << names[int(family)];
 }
 
@@ -133,6 +144,9 @@ PolygonScene random_scene(Family family, std::uint64_t seed, int size) {
             break;
         case Family::turned_boxes:
             add_boxes(builder, dice, true);
+            break;
+        case Family::blocks:
+            add_blocks(builder, dice);
             break;
         case Family::room:
             builder.box({0, 0, 0}, glm::dvec3(reach));

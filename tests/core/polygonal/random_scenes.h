@@ -14,6 +14,7 @@ enum class Family {
     triangles,     ///< free triangles and quadrilaterals, crossing each other
     boxes,         ///< boxes along the axes on a floor, many of them through one another
     turned_boxes,  ///< boxes turned any way, crossing each other and the floor
+    blocks,        ///< boxes of a grid, side to side: edges and planes in common
     room,          ///< seen from inside a closed room, lights inside
     smooth_balls,
     flat_balls,

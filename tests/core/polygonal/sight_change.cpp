@@ -8,7 +8,10 @@ namespace povpreview {
 namespace {
 
 constexpr Real together = 1e-4L;  ///< of the distance: two points of one surface
-constexpr Real apart = 1e-2L;     ///< of the distance: points of surfaces with a gap between
+/// Of the distance: so near before a mirror, the face pierces it. What the eye does not see but the
+/// mirror shows has a border of its reflection there that no edge of either face gives.
+constexpr Real at_mirror = 1e-4L;
+constexpr Real apart = 1e-2L;  ///< of the distance: points of surfaces with a gap between
 
 bool share_corner(const PolygonScene& scene, const Face& a, const Face& b) {
     for (std::uint32_t i = 0; i < a.count; ++i)
@@ -35,6 +38,10 @@ Join join(const BruteForce& brute, const Hit& a, const Hit& b) {
     return fa.surface == fb.surface ? Join::one_surface : Join::matter_of_taste;
 }
 
+bool at_its_mirror(const Hit& hit) {
+    return hit.mirrors > 0 && hit.from_mirror < at_mirror * hit.distance;
+}
+
 Change edge_at(const Hit& hit) {
     return {hit.mirrors == 0 ? EdgeKind::geometric : EdgeKind::reflection, hit.path, 0, false};
 }
@@ -54,7 +61,8 @@ std::optional<Change> change_between(const BruteForce& brute, const Sight& a, co
         if (p.path != q.path) return edge_at(p.mirrors > q.mirrors ? p : q);
         const bool two_faces = p.face != q.face;
         if (two_faces) {
-            const Join joined = join(brute, p, q);
+            const bool pierces = at_its_mirror(p) || at_its_mirror(q);
+            const Join joined = pierces ? Join::matter_of_taste : join(brute, p, q);
             if (joined == Join::edge) return edge_at(p);
             if (joined == Join::matter_of_taste) matter_of_taste(edge_at(p));
         }
