@@ -28,6 +28,8 @@ namespace {
 
 /// Each primitive may be cut by each other; more of them than this take longer than they are worth.
 constexpr std::size_t max_primitives = 1000;
+/// Pieces of one compound: each is judged by all of its parts.
+constexpr std::size_t max_pieces = 20000;
 /// Cells that one primitive's inside may consist of, and corners that a face of it may have.
 constexpr std::size_t max_cells = 500, max_corners = 2000;
 
@@ -86,7 +88,8 @@ bool is_convex(const pov::ObjectBase& object) {
 const char* CompoundFaces::build(const pov::ObjectBase& object) {
     Solid root;
     if (const char* reason = add(object, nullptr, root)) return reason;
-    return resolve(root, limits_.max_faces, pieces_) ? nullptr : "too many faces";
+    return resolve(root, std::min(limits_.max_faces, max_pieces), pieces_) ? nullptr
+                                                                           : "too many faces";
 }
 
 /// `flagged`: the object whose flags count for all below it; null while each has its own.

@@ -2,6 +2,7 @@
 #include "backend/oracle/geometry_task.h"
 
 #include <chrono>
+#include <exception>
 #include <thread>
 
 // The order of POV-Ray's headers matters: frame.h first, povdebug.h last.
@@ -27,12 +28,21 @@ void GeometryTask::Run() {
         // POV-Ray's own does not change the object, only its thread's statistics.
         return pov::Inside_Object(point, const_cast<pov::ObjectPtr>(&object), GetViewDataPtr());
     };
-    GeometryExport({shared_->surfaces,
-                    {camera.Location[0], camera.Location[1], camera.Location[2]},
-                    inside,
-                    [this] { Cooperate(); },
-                    [this](const GeometryChunk& chunk) { send(chunk); }})
-        .run(GetSceneData()->objects);
+    // Whatever goes wrong here costs edges, never the picture. Not (...): POV-Ray cancels a task by
+    // an exception of a type of its own.
+    try {
+        GeometryExport({shared_->surfaces,
+                        {camera.Location[0], camera.Location[1], camera.Location[2]},
+                        inside,
+                        [this] { Cooperate(); },
+                        [this](const GeometryChunk& chunk) { send(chunk); }})
+            .run(GetSceneData()->objects);
+    } catch (std::exception&) {
+        GeometryChunk end;
+        end.left_out[{"the rest", "out of memory or broken"}] = 1;
+        end.last = true;
+        send(end);
+    }
 }
 
 /// Waits until nothing else is to be sent, so that no answer waits for more than one chunk.

@@ -23,6 +23,13 @@ double milliseconds(Clock::time_point since) {
     return std::chrono::duration<double, std::milli>(Clock::now() - since).count();
 }
 
+/// About what the polygons take on the wire.
+double kibibytes(const Geometry& geometry) {
+    return static_cast<double>(24 * (geometry.points.size() + geometry.polygons.size()) +
+                               4 * (geometry.corners.size() + geometry.rings.size())) /
+           1024;
+}
+
 struct Totals {
     int scenes = 0, agreeing = 0;
     std::size_t probes = 0, on_faces = 0, disagreeing = 0, at_edges = 0;
@@ -53,18 +60,19 @@ void compare(const std::filesystem::path& scene, const char* name, bool verbose,
     const std::optional<PolygonScene> polygons = polygon_scene(geometry, description);
     const double cut = milliseconds(cutting);
     if (!polygons) {
-        std::printf("%8s %8s %9s %9s %8s %8s  %s: %s\n", "-", "-", "-", "-", "-", "-", name,
-                    why_not_straight(description.camera).c_str());
+        std::printf("%8s %8s %9s %9s %8s %8s %8s  %s: %s\n", "-", "-", "-", "-", "-", "-", "-",
+                    name, why_not_straight(description.camera).c_str());
         return;
     }
     const std::vector<Sample> probes = probe(oracle, probing_positions(*polygons, 20000, 1));
     const GeometryAgreement agreement = compare_geometry(*polygons, probes);
     std::size_t left_out = 0;
     for (const Geometry::LeftOut& left : geometry.left_out) left_out += left.count;
-    std::printf("%8zu %8zu %8.2f%% %8.3f%% %8.1f %8.1f  %s\n", polygons->faces.size(), left_out,
+    std::printf("%8zu %8zu %8.2f%% %8.3f%% %8.0f %8.1f %8.1f  %s\n", polygons->faces.size(),
+                left_out,
                 100. * static_cast<double>(agreement.on_faces) /
                     static_cast<double>(std::max<std::size_t>(1, agreement.probes)),
-                100 * agreement.share(), waited, cut, name);
+                100 * agreement.share(), kibibytes(geometry), waited, cut, name);
     if (verbose) print_details(geometry, agreement, probes);
     ++totals.scenes;
     totals.agreeing += agreement.disagreeing() == 0;
@@ -80,8 +88,8 @@ int main(int argc, char** argv) {
     const std::filesystem::path start = std::filesystem::current_path();
     const bool verbose = argc > 1 && std::strcmp(argv[1], "-v") == 0;
     Totals totals;
-    std::printf("%8s %8s %9s %9s %8s %8s  scene\n", "faces", "left out", "on faces", "disagree",
-                "came ms", "cut ms");
+    std::printf("%8s %8s %9s %9s %8s %8s %8s  scene\n", "faces", "left out", "on faces", "disagree",
+                "KiB", "came ms", "cut ms");
     for (int i = verbose ? 2 : 1; i < argc; ++i) {
         try {
             compare(start / argv[i], argv[i], verbose, totals);
