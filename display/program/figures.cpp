@@ -225,9 +225,12 @@ RegularGrid regular_grid(std::size_t samples, glm::ivec2 size) {
     // (w / c + 1) (h / c + 1) samples for cells of c pixels; solved for 1 / c.
     const double w = size.x, h = size.y, n = std::max(4., double(samples));
     const double u = (std::sqrt((w + h) * (w + h) + 4 * w * h * (n - 1)) - (w + h)) / (2 * w * h);
-    const double cell = std::max(2., 1 / u);
+    const double share = 1 / u / std::max(w, h);
+    // As MeshPreviewer does it, to the last bit: where a length is halfway between two numbers of
+    // cells, rounding decides.
+    const double cell = std::max(2., share * std::max(w, h));
     const auto cells = [&](double length) { return std::max(1L, std::lround(length / cell)) + 1; };
-    return {cell / std::max(w, h), std::size_t(cells(w)) * std::size_t(cells(h))};
+    return {share, std::size_t(cells(w)) * std::size_t(cells(h))};
 }
 
 Exit figures(const FiguresOptions& options) { return Figures(options).run(); }
