@@ -624,16 +624,20 @@ light_source {
       Block(<-0.30, 0.115, -0.026>, <0.30, 0.47, -0.01>)
       texture {
         pigment {
-          gradient y
-          turbulence <0, 0.12, 0>
-          color_map {
-            [0.0 color srgb <0.13, 0.20, 0.32>]
-            [0.5 color srgb <0.27, 0.47, 0.60>]
-            [0.8 color srgb <0.92, 0.62, 0.45>]
-            [1.0 color srgb <0.97, 0.82, 0.60>]
-          }
-          scale 0.37
-          translate y * 0.11
+          #if (Untextured)
+            color srgb <0.40, 0.50, 0.56>
+          #else
+            gradient y
+            turbulence <0, 0.12, 0>
+            color_map {
+              [0.0 color srgb <0.13, 0.20, 0.32>]
+              [0.5 color srgb <0.27, 0.47, 0.60>]
+              [0.8 color srgb <0.92, 0.62, 0.45>]
+              [1.0 color srgb <0.97, 0.82, 0.60>]
+            }
+            scale 0.37
+            translate y * 0.11
+          #end
         }
         finish { ambient 0 diffuse 0.05 emission 0.85 }
       }
