@@ -77,7 +77,9 @@ TEST_P(Agreement, ShadowPiecesPartLightFromDark) {
                        Dice& dice) { return laws.pieces_part_the_picture(dice, EdgeKind::shadow); },
                     4000);
     expect_kept(tally);
-    EXPECT_LT(tally.idle, .05 * tally.asked) << tally.text();
+    // Where unseen faces cut others, their shadows are taken to begin; some lie in shadow anyhow.
+    const double most = GetParam() == Family::mixed_styles ? .1 : .05;
+    EXPECT_LT(tally.idle, most * tally.asked) << tally.text();
 }
 
 TEST_P(Agreement, ReflectedPiecesPartWhatMirrorsShow) {
