@@ -15,14 +15,41 @@ namespace povpreview {
 
 namespace {
 
-using Line = Picture::Line;
 using Corner = Picture::Corner;
+using Paint = std::array<float, 4>;
+
+/// A line as it is drawn.
+struct Stroke {
+    glm::vec2 from, to;
+    Paint paint;
+};
 
 // Overlays, in linear light and target pixels.
-constexpr std::array<float, 4> mesh_paint{.22f, .22f, .22f, .55f};
-constexpr std::array<float, 4> constraint_paint{1.f, .16f, .02f, .95f};
-constexpr std::array<float, 4> sample_paint{1.f, .85f, .1f, .9f};
+constexpr Paint mesh_paint{.22f, .22f, .22f, .55f};
+constexpr Paint sample_paint{1.f, .85f, .1f, .9f};
 constexpr float mesh_half_width = .4f, constraint_half_width = .7f, sample_radius = 1.6f;
+
+// Constraints by kind; bright and pure, since pictures seldom are.
+constexpr Paint geometric_paint{1.f, .16f, .02f, .95f};  // red
+constexpr Paint reflection_paint{1.f, .03f, .8f, .95f};  // magenta
+constexpr Paint traced_paint{1.f, .9f, .3f, .95f};       // pale yellow
+// Shadows by light, in turn: azure, green, violet, teal.
+constexpr std::array<Paint, 4> shadow_paints{
+    {{.02f, .35f, 1.f, .95f}, {.1f, .8f, .05f, .95f}, {.35f, .1f, 1.f, .95f}, {0, .7f, .6f, .95f}}};
+
+Paint constraint_paint(EdgeKind kind, std::uint16_t light) {
+    switch (kind) {
+        case EdgeKind::geometric:
+            return geometric_paint;
+        case EdgeKind::shadow:
+            return shadow_paints[light % shadow_paints.size()];
+        case EdgeKind::reflection:
+            return reflection_paint;
+        case EdgeKind::traced:
+            break;
+    }
+    return traced_paint;
+}
 
 /// One vertex array over one buffer of equal elements.
 struct Elements {
@@ -101,16 +128,16 @@ struct Painter::Layers {
         triangles.attribute(0, 2, sizeof(Corner), offsetof(Corner, position), 0);
         triangles.attribute(1, 3, sizeof(Corner), offsetof(Corner, colour), 0);
         for (const Elements* lines : {&mesh, &constraints}) {
-            lines->attribute(0, 2, sizeof(Line), offsetof(Line, from), 1);
-            lines->attribute(1, 2, sizeof(Line), offsetof(Line, to), 1);
+            lines->attribute(0, 2, sizeof(Stroke), offsetof(Stroke, from), 1);
+            lines->attribute(1, 2, sizeof(Stroke), offsetof(Stroke, to), 1);
+            lines->attribute(2, 4, sizeof(Stroke), offsetof(Stroke, paint), 1);
         }
         samples.attribute(0, 2, sizeof(glm::vec2), 0, 1);
     }
 
     void load_pixels(const Picture& picture);
     void draw_pixels(const View& view) const;
-    void draw_lines(const Elements& lines, const View& view, const std::array<float, 4>& paint,
-                    float half_width) const;
+    void draw_lines(const Elements& lines, const View& view, float half_width) const;
     void draw_samples(const View& view) const;
     void place(const GlProgram& program, const View& view) const;
 
@@ -166,11 +193,9 @@ void Painter::Layers::draw_pixels(const View& view) const {
     }
 }
 
-void Painter::Layers::draw_lines(const Elements& lines, const View& view,
-                                 const std::array<float, 4>& paint, float half_width) const {
+void Painter::Layers::draw_lines(const Elements& lines, const View& view, float half_width) const {
     place(line_program, view);
     gl.Uniform1f(line_program.uniform("half_width"), half_width);
-    gl.Uniform4f(line_program.uniform("paint"), paint[0], paint[1], paint[2], paint[3]);
     gl.BindVertexArray(lines.array.id());
     gl.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, lines.count);
 }
@@ -193,8 +218,12 @@ void Painter::load(const Picture& picture) {
     layers_->width = picture.width;
     layers_->height = picture.height;
     layers_->triangles.upload(picture.corners);
-    std::vector<Line> mesh, constraints;
-    for (const Line& line : picture.lines) (line.constraint ? constraints : mesh).push_back(line);
+    std::vector<Stroke> mesh, constraints;
+    for (const Picture::Line& line : picture.lines)
+        if (line.constraint)
+            constraints.push_back({line.from, line.to, constraint_paint(line.kind, line.light)});
+        else
+            mesh.push_back({line.from, line.to, mesh_paint});
     layers_->mesh.upload(mesh);
     layers_->constraints.upload(constraints);
     layers_->samples.upload(picture.samples);
@@ -215,9 +244,9 @@ void Painter::draw(const View& view, Overlay overlay) const {
     if (overlay == Overlay::none) return;
     gl.Enable(GL_BLEND);
     gl.BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
-    if (overlay == Overlay::mesh) layers.draw_lines(layers.mesh, view, mesh_paint, mesh_half_width);
+    if (overlay == Overlay::mesh) layers.draw_lines(layers.mesh, view, mesh_half_width);
     if (overlay == Overlay::mesh || overlay == Overlay::edges)
-        layers.draw_lines(layers.constraints, view, constraint_paint, constraint_half_width);
+        layers.draw_lines(layers.constraints, view, constraint_half_width);
     if (overlay == Overlay::samples) layers.draw_samples(view);
     gl.Disable(GL_BLEND);
 }

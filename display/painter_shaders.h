@@ -59,10 +59,13 @@ void main() {
 inline constexpr const char* line_vertex = POVPREVIEW_TO_VIEWPORT R"(
 layout(location = 0) in vec2 from;
 layout(location = 1) in vec2 to;
+layout(location = 2) in vec4 line_paint;
+flat out vec4 paint;
 uniform float half_width;  // target pixels
 out vec2 place;            // along and across, target pixels from the line's start
 out float line_length;
 void main() {
+    paint = line_paint;
     vec2 a = from * scale, b = to * scale;
     line_length = length(b - a);
     vec2 d = line_length > 0.0 ? (b - a) / line_length : vec2(1.0, 0.0);
@@ -74,7 +77,7 @@ void main() {
 })";
 
 inline constexpr const char* line_fragment = R"(
-uniform vec4 paint;
+flat in vec4 paint;
 uniform float half_width;
 in vec2 place;
 in float line_length;
