@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <memory>
 #include <numeric>
 
 #include "core/polygonal/backdrop.h"
@@ -39,16 +40,22 @@ constexpr std::size_t crossings_per_face = 4, least_crossings = 1000;
 /// blocked, relative to a silhouette.
 constexpr float crossing_step = .5f, shadow_step = .7f;
 
-/// Part of a shadow's border.
+/// Part of a shadow's border, on one face.
 struct ShadowPiece {
     SpaceSegment segment;
-    std::uint32_t face;  ///< on which it lies
-    int facing;          ///< side of the face that the light shines on
-    float importance;
+    std::uint32_t face;
+    Doubt doubt;
 };
 
+/// The borders of all shadows that fall from one light, wherever anyone may see them.
 struct Shadows {
+    Shadows(const FlatFaces& faces, const FaceHierarchy& hierarchy, const PointLight& from)
+        : volumes(faces, hierarchy, from.position, Viewer::light),
+          light(static_cast<std::uint16_t>(from.number)) {}
+
+    ShadowVolumes volumes;
     std::uint16_t light;
+    float importance = 0;
     std::vector<ShadowPiece> pieces;
 };
 
@@ -74,8 +81,11 @@ class Finder {
         if (!crossings(eye_)) return;
         near_border();
         if (!hand_over()) return;
-        for (const PointLight& light : lights_)
-            if (!cast(light) || !shadows(eye_, shadows_.back()) || !hand_over()) return;
+        for (const PointLight& light : lights_) {
+            shadows_.push_back(std::make_unique<Shadows>(faces_, hierarchy_, light));
+            if (!cast(light, *shadows_.back()) || !show(eye_, *shadows_.back()) || !hand_over())
+                return;
+        }
         mirrors(eye_, options_.mirror_depth);
     }
 
@@ -160,21 +170,29 @@ class Finder {
             show(eye_, segment, {}, Doubt::none, 1);
     }
 
-    bool shadows(const View& view, const Shadows& shadows) {
+    bool show(const View& view, const Shadows& shadows) {
         for (const ShadowPiece& piece : shadows.pieces) {
             const Face& face = faces_.face(piece.face);
-            const bool lit = view.volumes().facing(piece.face) == piece.facing;
-            if (view.shows(face) && (lit || face.lit_from_behind)) show(view, piece, shadows.light);
+            const bool lit =
+                view.volumes().facing(piece.face) == shadows.volumes.facing(piece.face);
+            if (view.shows(face) && (lit || face.lit_from_behind)) show(view, shadows, piece);
             if (!look()) return false;
         }
         return true;
     }
 
-    void show(const View& view, const ShadowPiece& piece, std::uint16_t light) {
+    void show(const View& view, const Shadows& shadows, const ShadowPiece& piece) {
+        const SpaceSegment& segment = piece.segment;
         visible_.assign({});
-        view.hide(piece.segment, visible_);
+        view.hide(segment, visible_);
+        const auto contrast = [&](double t) {
+            return contrast_.of_light(shadows.volumes, piece.face, segment.at(t),
+                                      segment.b - segment.a);
+        };
         for (const Interval& part : visible_.intervals())
-            add(view, piece.segment, part, EdgeKind::shadow, light, piece.importance);
+            keep_where(part, piece.doubt, contrast, [&](const Interval& kept) {
+                add(view, segment, kept, EdgeKind::shadow, shadows.light, shadows.importance);
+            });
     }
 
     // ---- shadows
@@ -198,69 +216,44 @@ class Finder {
             [](float sum, const PointLight& light) { return sum + light.brightness; });
     }
 
-    /// Finds the borders of the shadows that fall from one light, wherever anyone may see them.
-    bool cast(const PointLight& light) {
-        const ShadowVolumes volumes(faces_, hierarchy_, light.position, Viewer::light);
-        shadows_.push_back({static_cast<std::uint16_t>(light.number), {}});
-        const float strength = shadow_step * light.brightness / all_of(lights_);
+    bool cast(const PointLight& light, Shadows& shadows) {
+        shadows.importance = shadow_step * light.brightness / all_of(lights_);
         // What transparent things take from the light is little, and mostly at no sharp border.
         const auto casts = [](const Face& f) { return f.casts_shadow && !f.transparent; };
         for (const FaceEdges::Edge& edge : edges_.edges()) {
-            if (edges_.silhouette(edge, volumes, casts))
-                cast(volumes, edges_.segment(edge), edge.regular() ? Doubt::some : Doubt::much,
-                     strength);
+            if (edges_.silhouette(edge, shadows.volumes, casts))
+                cast(edges_.segment(edge), edge.regular() ? Doubt::some : Doubt::much, shadows);
             if (!look()) return false;
         }
         for (const Crossing& crossing : crossings_) {
-            cast_along(volumes, crossing.segment, crossing.f, crossing.g, strength);
-            cast_along(volumes, crossing.segment, crossing.g, crossing.f, strength);
+            cast_along(crossing.segment, crossing.f, crossing.g, shadows);
+            cast_along(crossing.segment, crossing.g, crossing.f, shadows);
         }
         return true;
     }
 
     /// The shadow of a face that is not seen itself begins where it cuts another one.
-    void cast_along(const ShadowVolumes& volumes, const SpaceSegment& crossing, std::uint32_t from,
-                    std::uint32_t on, float strength) {
-        if (faces_.face(from).visible || !faces_.face(from).casts_shadow) return;
-        const auto contrast = [&](double t) {
-            return contrast_.of_light(volumes, on, crossing.at(t), crossing.b - crossing.a);
-        };
-        keep_where({}, Doubt::much, contrast, [&](const Interval& kept) {
-            shadows_.back().pieces.push_back(
-                {{crossing.at(kept.from), crossing.at(kept.to)}, on, volumes.facing(on), strength});
-        });
+    void cast_along(const SpaceSegment& crossing, std::uint32_t from, std::uint32_t on,
+                    Shadows& shadows) const {
+        if (!faces_.face(from).visible && faces_.face(from).casts_shadow)
+            shadows.pieces.push_back({crossing, on, Doubt::much});
     }
 
-    void cast(const ShadowVolumes& volumes, const SpaceSegment& segment, Doubt doubt,
-              float strength) {
+    void cast(const SpaceSegment& segment, Doubt doubt, Shadows& shadows) {
         lit_.assign({});
-        volumes.hide(segment, lit_);
+        shadows.volumes.hide(segment, lit_);
         if (lit_.empty()) return;
-        volumes.cast(segment, backdrops_);
+        shadows.volumes.cast(segment, backdrops_);
         for (const Backdrop& backdrop : backdrops_)
             for (const Interval& rest : lit_.intervals()) {
                 const double from = std::max(rest.from, backdrop.part.from);
                 const double to = std::min(rest.to, backdrop.part.to);
-                if (to - from > IntervalSet::shortest)
-                    cast(volumes, segment, {from, to}, backdrop, doubt, strength);
+                if (to - from <= IntervalSet::shortest) continue;
+                const auto behind = [&](double t) {
+                    return shadows.volumes.behind(segment, t, nearness(backdrop, t));
+                };
+                shadows.pieces.push_back({{behind(from), behind(to)}, backdrop.face, doubt});
             }
-    }
-
-    void cast(const ShadowVolumes& volumes, const SpaceSegment& segment, const Interval& part,
-              const Backdrop& backdrop, Doubt doubt, float strength) {
-        const auto behind = [&](double t) {
-            return volumes.behind(segment, t, nearness(backdrop, t));
-        };
-        const glm::dvec3 along = behind(part.to) - behind(part.from);
-        const auto contrast = [&](double t) {
-            return contrast_.of_light(volumes, backdrop.face, behind(t), along);
-        };
-        keep_where(part, doubt, contrast, [&](const Interval& kept) {
-            shadows_.back().pieces.push_back({{behind(kept.from), behind(kept.to)},
-                                              backdrop.face,
-                                              volumes.facing(backdrop.face),
-                                              strength});
-        });
     }
 
     // ---- mirrors
@@ -272,8 +265,8 @@ class Finder {
             --mirrors_left_;
             const View reflection(view, mirror);
             if (!geometry(reflection) || !crossings(reflection)) return false;
-            for (const Shadows& cast : shadows_)
-                if (!shadows(reflection, cast)) return false;
+            for (const auto& shadows : shadows_)
+                if (!show(reflection, *shadows)) return false;
             if (!hand_over() || !mirrors(reflection, depth - 1)) return false;
         }
         return true;
@@ -304,7 +297,7 @@ class Finder {
     const View eye_;
     const std::vector<PointLight> lights_;  // that cast shadows worth looking for
     std::vector<Crossing> crossings_;
-    std::vector<Shadows> shadows_;
+    std::vector<std::unique_ptr<Shadows>> shadows_;
     IntervalSet visible_, lit_;
     std::vector<Backdrop> backdrops_;
     std::vector<ImageEdge> pieces_;

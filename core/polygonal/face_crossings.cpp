@@ -59,7 +59,7 @@ std::vector<Crossing> find_crossings(const FlatFaces& faces, const FaceHierarchy
     };
     hierarchy.for_each_pair([&](std::uint32_t f, std::uint32_t g) {
         if (crossings.size() >= most || !seen(faces.face(f)) || !seen(faces.face(g))) return;
-        SpaceSegment line, other;
+        SpaceSegment line{}, other{};
         if (!cut(faces, f, over(g), other) || !cut(faces, g, over(f), line)) return;
         Interval part;
         if (!clip_to_face(faces, f, line, part)) return;
@@ -72,7 +72,7 @@ std::vector<SpaceSegment> find_cuts(const FlatFaces& faces, const NearPlane& pla
     std::vector<SpaceSegment> cuts;
     const auto height = [&](const glm::dvec3& p) { return plane.height(p); };
     for (std::uint32_t face = 0; face < faces.size(); ++face) {
-        SpaceSegment line;
+        SpaceSegment line{};
         if (faces.face(face).visible && cut(faces, face, height, line)) cuts.push_back(line);
     }
     return cuts;

@@ -53,8 +53,12 @@ struct Slots {
         to.low = glm::min(to.low, from.low);
         to.high = glm::max(to.high, from.high);
     }
-    /// The cut after which slot makes the two sides' searches cheapest; -1 if all lies on one side.
-    int best_cut() const {
+    struct Cut {
+        int slot = -1;  ///< the last one on the left; -1: all lies on one side
+        double cost = INFINITY;
+    };
+    /// The cut that makes searches of the two sides cheapest.
+    Cut best_cut() const {
         double right_cost[count];
         Bounds right;
         std::uint32_t right_faces = 0;
@@ -65,14 +69,13 @@ struct Slots {
         }
         Bounds left;
         std::uint32_t left_faces = 0;
-        int best = -1;
-        double least = INFINITY;
+        Cut best;
         for (int i = 0; i + 1 < count; ++i) {
             gather(left, bounds[i]);
             left_faces += faces[i];
             if (left_faces == 0 || right_cost[i + 1] < 0) continue;
             const double cost = left.surface() * left_faces + right_cost[i + 1];
-            if (cost < least) least = cost, best = i;
+            if (cost < best.cost) best = {i, cost};
         }
         return best;
     }
@@ -135,16 +138,19 @@ std::uint32_t FaceHierarchy::split(std::uint32_t begin, std::uint32_t end) {
         high = glm::max(high, glm::dvec3(boxes_[order_[i]].centre));
     }
     const glm::dvec3 size = high - low;
-    const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-    const std::uint32_t middle = begin + (end - begin) / 2;
-    if (!(size[axis] > 0)) return middle;
-    Slots slots{axis, low[axis], Slots::count / size[axis], {}, {}};
-    for (std::uint32_t i = begin; i < end; ++i) slots.add(boxes_[order_[i]]);
-    const int cut = slots.best_cut();
-    if (cut < 0) return middle;
-    const auto right =
-        std::partition(order_.begin() + begin, order_.begin() + end,
-                       [&](std::uint32_t face) { return slots.slot(boxes_[face]) <= cut; });
+    Slots best_slots{0, 0, 0, {}, {}};
+    Slots::Cut best;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (!(size[axis] > 0)) continue;
+        Slots slots{axis, low[axis], Slots::count / size[axis], {}, {}};
+        for (std::uint32_t i = begin; i < end; ++i) slots.add(boxes_[order_[i]]);
+        const Slots::Cut cut = slots.best_cut();
+        if (cut.cost < best.cost) best = cut, best_slots = slots;
+    }
+    if (best.slot < 0) return begin + (end - begin) / 2;
+    const auto right = std::partition(
+        order_.begin() + begin, order_.begin() + end,
+        [&](std::uint32_t face) { return best_slots.slot(boxes_[face]) <= best.slot; });
     return static_cast<std::uint32_t>(right - order_.begin());
 }
 

@@ -17,7 +17,7 @@ namespace povpreview {
 struct SpaceSegment {
     static constexpr std::uint32_t constructed = 0xffffffff;
 
-    glm::dvec3 a, b;
+    glm::dvec3 a{0}, b{0};
     /// Which points of the scene its ends are; sides of constructed ends are decided as well as
     /// their own rounding allows, those of points exactly.
     std::uint32_t point_a = constructed, point_b = constructed;
