@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "adapter/convex_pieces.h"
 
-#include <CGAL/Constrained_Delaunay_triangulation_2.h>
+#include <CGAL/Constrained_triangulation_2.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
@@ -30,8 +30,10 @@ struct FaceInfo {
 using Vertices = CGAL::Triangulation_vertex_base_with_info_2<VertexInfo, Kernel>;
 using Faces = CGAL::Constrained_triangulation_face_base_2<
     Kernel, CGAL::Triangulation_face_base_with_info_2<FaceInfo, Kernel>>;
-using Triangulation = CGAL::Constrained_Delaunay_triangulation_2<
-    Kernel, CGAL::Triangulation_data_structure_2<Vertices, Faces>, CGAL::Exact_intersections_tag>;
+// Not Delaunay: that breaks ties by addresses in memory, and the same scene would have other faces.
+using Triangulation =
+    CGAL::Constrained_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<Vertices, Faces>,
+                                      CGAL::Exact_intersections_tag>;
 using Edge = Triangulation::Edge;
 using FaceHandle = Triangulation::Face_handle;
 
