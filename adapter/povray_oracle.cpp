@@ -363,8 +363,10 @@ void PovrayOracle::check_stall(Clock::time_point before, Clock::time_point deadl
     if (outstanding_ == 0 && !waits_for_geometry_) silence_ = {};
     if (silence_ > settings_.stall_timeout)
         fail(Exit::tracer,
-             fmt::format("the tracer has said nothing for {:.3g} seconds while {} samples were due",
-                         std::chrono::duration<double>(silence_).count(), outstanding_),
+             fmt::format("the tracer has said nothing for {:.3g} seconds while {} were due",
+                         std::chrono::duration<double>(silence_).count(),
+                         outstanding_ > 0 ? fmt::format("{} samples", outstanding_)
+                                          : "the scene's polygons"),
              "give it more time with --stall-timeout if single samples are that slow");
 }
 

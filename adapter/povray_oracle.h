@@ -67,7 +67,8 @@ class PovrayOracle : public SampleOracle {
     /// after the scene. Nothing before that and afterwards.
     std::optional<Geometry> take_geometry() { return std::exchange(geometry_, std::nullopt); }
     /// Waits until take_geometry() has something to give, or has given it. Throws Error as
-    /// wait_for_scene() does, and after a silence as long as a stall. REQUIRES: the scene has come.
+    /// wait_for_scene() does, and after a silence as long as a stall. REQUIRES: the scene has come,
+    /// and Settings::geometry asked for its polygons.
     void wait_for_geometry(const std::function<bool()>& interrupted);
 
     void submit(std::span<const Request> requests, Parts parts) override;
