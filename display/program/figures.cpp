@@ -183,7 +183,7 @@ class Figures {
         const ErrorMeasures error =
             measure_error(offscreen_.render(picture, size_.x, size_.y).pixels, reference_.pixels);
         add(preview, render(picture, Overlay::none),
-            fmt::format("{}: preview, {}\n{} samples, error L1 {:.4f} RMSE {:.4f}", preview, what,
+            fmt::format("{}: preview, {}\n{} samples, error L1 {:.5f} RMSE {:.5f}", preview, what,
                         traced_, error.l1, error.rmse));
         add(mesh, render(lines_alone(picture), Overlay::mesh),
             fmt::format("{}: {}, {} vertices", mesh, what, previewer.statistics().vertices));

@@ -11,6 +11,9 @@
 # its first point of the curve are left out; where mesh is better at its own first point already,
 # that point counts, so the true ratio is smaller.
 #
+# The last column is what mesh could do were the edges known at once: previews by `povpreview
+# figures` from 1, 3 and 10 % of the samples, over the samples that delaunay needs to their errors.
+#
 # With OUT from an earlier run and RESULTS_ONLY=1 in the environment it only prints.
 set -euo pipefail
 povpreview=$(realpath "$1") out=$2
@@ -28,6 +31,18 @@ while read -r scene _; do
     esac
 done < <(grep -v '^#' "$here/polygonal_scenes.txt")
 
+# samples,error of previews whose edges are known before they begin.
+known_at_once() {
+    local scene=$1 folder=$2 pixels samples
+    shift 2
+    pixels=$(awk -F, '$1 == "delaunay" { n = $4 } END { print n }' "$folder/curves.csv")
+    for samples in $((pixels / 100)) $((pixels * 3 / 100)) $((pixels / 10)); do
+        (cd "$(dirname "$scene")" && "$povpreview" figures "$(basename "$scene")" --out "$folder" \
+            --samples "$samples" "$@") 2>"$folder/figures.err" |
+            sed -nE 's/^d: .*;([0-9]+) samples, error L1 ([0-9.]+) .*/\1,\2/p'
+    done
+}
+
 curves=()
 for scene in "${scenes[@]}"; do
     name=$(basename "$scene" .pov)
@@ -37,8 +52,9 @@ for scene in "${scenes[@]}"; do
             --methods mesh,delaunay --out "$out/$name" "$@" \
             >"$out/$name.txt" 2>"$out/$name.err") ||
             echo "$name failed: $(tail -n 1 "$out/$name.err")"
+        known_at_once "$scene" "$out/$name" "$@" >"$out/$name/known.csv" || echo "$name: no figures"
     fi
-    if [ -f "$out/$name/curves.csv" ]; then curves+=("$out/$name/curves.csv"); fi
+    if [ -f "$out/$name/curves.csv" ]; then curves+=("$out/$name"/{curves,known}.csv); fi
 done
 
 awk -F, '
@@ -86,22 +102,44 @@ function ratios(what,    k, samples, mine, theirs, ratio, sum, count, low, high)
     number[what]++
 }
 
+function known_ratio(    i, theirs, sum, count) {
+    sum = count = 0
+    for (i = 1; i <= known; i++) {
+        theirs = reached("samples", "delaunay", known_error[i])
+        if (!theirs || theirs == full["delaunay", 1]) continue
+        sum += log(known_samples[i] / theirs)
+        count++
+    }
+    if (!count) { printf " %14s", "-"; return }
+    printf " %14.2f", exp(sum / count)
+    total["known"] += sum / count
+    number["known"]++
+}
+
 function finish() {
     if (!points["mesh"] || !points["delaunay"]) return
     printf "%-20s", scene
     ratios("time")
     ratios("samples")
+    known_ratio()
     print ""
     fflush()
 }
 
 BEGIN {
     shares = split("1 1.5 2 3 4.5 7 10", share, " ")
-    printf "%-20s %24s %24s\n", "scene", "time mesh/delaunay", "samples mesh/delaunay"
+    printf "%-20s %24s %24s %14s\n", "scene", "time mesh/delaunay", "samples mesh/delaunay", \
+        "known at once"
+}
+FILENAME ~ /known.csv$/ {
+    known_samples[++known] = $1
+    known_error[known] = $2 + 1e-6
+    next
 }
 FNR == 1 {
     finish()
     split("", points)
+    known = 0
     n = split(FILENAME, path, "/")
     scene = path[n - 1]
     next
@@ -115,6 +153,7 @@ $4 > 0 {
 END {
     finish()
     if (number["time"])
-        printf "%-20s %8.2f %15s %8.2f\n", "geometric mean", \
-            exp(total["time"] / number["time"]), "", exp(total["samples"] / number["samples"])
+        printf "%-20s %8.2f %15s %8.2f %15s %14.2f\n", "geometric mean", \
+            exp(total["time"] / number["time"]), "", exp(total["samples"] / number["samples"]), "", \
+            number["known"] ? exp(total["known"] / number["known"]) : 0
 }' "${curves[@]}"
