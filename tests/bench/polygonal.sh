@@ -54,7 +54,9 @@ for scene in "${scenes[@]}"; do
             echo "$name failed: $(tail -n 1 "$out/$name.err")"
         known_at_once "$scene" "$out/$name" "$@" >"$out/$name/known.csv" || echo "$name: no figures"
     fi
-    if [ -f "$out/$name/curves.csv" ]; then curves+=("$out/$name"/{curves,known}.csv); fi
+    [ -f "$out/$name/curves.csv" ] || continue
+    : >>"$out/$name/known.csv"
+    curves+=("$out/$name"/{curves,known}.csv)
 done
 
 awk -F, '
