@@ -34,8 +34,9 @@ struct MeshOptions {
     /// No more outlines once this share of the pixels is sampled: edges are sharp by then.
     double outline_until = .1;
     /// Vertices of exactly known chains in the mesh, at most, for each full sample asked for. More
-    /// show no less of the error, but take time of our own.
-    double chain_share = 4;
+    /// take more time of our own; on crowded images 4 shows up to a third less error than 2 in the
+    /// first half per cent of the samples, and none less after one per cent.
+    double chain_share = 2;
     /// Side of a cell of the first, regular grid, as a share of the larger image side.
     double grid_cell = 1. / 20;
     /// A square with more than this share of its pixels sampled is filled: with a sample to every
