@@ -26,7 +26,7 @@ struct FaceBox {
 /// with such margins that no box is missed that touches the region.
 class Region {
    public:
-    /// REQUIRES: at most eight.
+    /// Those that exclude most come first. REQUIRES: at most eight.
     void add(const glm::dvec3& inward, const glm::dvec3& on) { set(used_++, inward, on); }
     /// Adds one that holds all space until it is moved to end at a point.
     void add_movable(const glm::dvec3& inward) {
@@ -35,11 +35,7 @@ class Region {
     }
     void move_to(const glm::dvec3& on) { set(movable_, normal_, on); }
 
-    bool misses(const FaceBox& box) const {
-        const auto outside = std::bit_cast<std::array<std::uint64_t, 2>>((first_.inside(box) < 0) |
-                                                                         (second_.inside(box) < 0));
-        return (outside[0] | outside[1]) != 0;
-    }
+    bool misses(const FaceBox& box) const { return first_.miss(box) || second_.miss(box); }
 
    private:
     /// Four half spaces, computed with side by side.
@@ -48,9 +44,12 @@ class Region {
         Lanes x{}, y{}, z{}, offset{};
         Lanes across_x{}, across_y{}, across_z{};  // half a box's size along the plane's normal
 
-        Lanes inside(const FaceBox& box) const {
-            return offset + x * box.centre.x + y * box.centre.y + z * box.centre.z +
-                   across_x * box.half.x + across_y * box.half.y + across_z * box.half.z;
+        bool miss(const FaceBox& box) const {
+            const Lanes inside = offset + x * box.centre.x + y * box.centre.y + z * box.centre.z +
+                                 across_x * box.half.x + across_y * box.half.y +
+                                 across_z * box.half.z;
+            const auto outside = std::bit_cast<std::array<std::uint64_t, 2>>(inside < 0);
+            return (outside[0] | outside[1]) != 0;
         }
     };
 
