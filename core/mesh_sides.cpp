@@ -85,7 +85,9 @@ std::optional<Request> MeshPreviewer::split_constraint(VertexId a, VertexId b) {
 /// then not believed: its corners take their colour from this side's neighbours.
 void MeshPreviewer::accept_side(Pending side, const Sample& sample, bool usable) {
     --vertices_pending_;
-    const bool strange = side.surface != Pending::any && sample.surface != side.surface;
+    // Where no outlines are traced, surfaces are not asked for any more.
+    const bool told = contains(parts(), Parts::surface);
+    const bool strange = told && side.surface != Pending::any && sample.surface != side.surface;
     if (usable && strange && !side.retried) {
         const glm::dvec2 v = mesh_.triangulation().position(side.vertex);
         const glm::dvec2 farther = v + second_try * (mesh_.sample(side.sample).position - v);
