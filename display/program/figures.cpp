@@ -71,15 +71,16 @@ Picture picture_of(const std::vector<EdgeChain>& edges, glm::ivec2 size) {
     return picture;
 }
 
-/// "120 geometric, 48 shadow, 12 reflection": segments of each kind.
+/// Segments of each kind, with the colours in which the painter draws them.
 std::string count(const std::vector<EdgeChain>& edges) {
     std::array<std::size_t, edge_kinds> counts{};
     for (const EdgeChain& chain : edges)
         counts[static_cast<std::size_t>(chain.kind)] += chain.vertices.size() - 1;
-    return fmt::format("{} geometric, {} shadow, {} reflection",
-                       counts[static_cast<std::size_t>(EdgeKind::geometric)],
-                       counts[static_cast<std::size_t>(EdgeKind::shadow)],
-                       counts[static_cast<std::size_t>(EdgeKind::reflection)]);
+    return fmt::format(
+        "{} geometric (red), {} shadow (each light a colour), {} reflection (magenta)",
+        counts[static_cast<std::size_t>(EdgeKind::geometric)],
+        counts[static_cast<std::size_t>(EdgeKind::shadow)],
+        counts[static_cast<std::size_t>(EdgeKind::reflection)]);
 }
 
 /// Three images a row, each above its caption.

@@ -48,11 +48,11 @@ check "seven pictures" all_pictures room
 check "constraints mend three quarters of the error" much_better
 check "about as many samples as asked for" test "$(samples b)" -gt 360 -a "$(samples b)" -lt 440
 check "as many samples for both" test "$(samples b)" = "$(samples d)"
-check "edges of all kinds" grep -qE '^f: .*[1-9][0-9]* geometric, [1-9][0-9]* shadow, [1-9][0-9]* reflection' out
+check "edges of all kinds" grep -qE '^f: .*[1-9][0-9]* geometric.*[1-9][0-9]* shadow.*[1-9][0-9]* reflection' out
 check "no mirrors on request" figures room.pov +W160 +H120 --out room --mirror-depth 0
-check "no reflected edges then" grep -qE '^f: .*, 0 reflection' out
+check "no reflected edges then" grep -qE '^f: .* 0 reflection' out
 check "a bent camera succeeds" figures bent.pov +W160 +H120 --out bent
-check "a bent camera has no edges" grep -qE '^f: .*[; ]0 geometric, 0 shadow, 0 reflection' out
+check "a bent camera has no edges" grep -qE '^f: .*[; ]0 geometric.* 0 shadow.* 0 reflection' out
 figures missing.pov --out d
 check "a missing scene is the user's fault" test $? = 2
 figures room.pov --out /dev/null/d
