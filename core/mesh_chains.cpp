@@ -53,6 +53,7 @@ void MeshPreviewer::insert_chains() {
 }
 
 ChainInsertion MeshPreviewer::begin_insertion() {
+    vertices_before_insertion_ = mesh_.triangulation().vertex_ids();
     return ChainInsertion(mesh_, {width_, height_}, [this](VertexId vertex) {
         const SampleId sample = mesh_.first_sample(vertex);
         if (sample.valid())
@@ -61,9 +62,7 @@ ChainInsertion MeshPreviewer::begin_insertion() {
 }
 
 void MeshPreviewer::finish_insertion(ChainInsertion& insertion) {
-    const std::vector<VertexId> touched = insertion.finish();
-    for (VertexId v : touched) queue_edges(v, {}, touched);
-    queue_sides_around(touched);
+    queue_changed(insertion.finish(), vertices_before_insertion_);
 }
 
 }  // namespace povpreview

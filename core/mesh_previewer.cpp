@@ -269,37 +269,42 @@ VertexId MeshPreviewer::live(VertexId near) const {
     return mesh_.triangulation().alive(recent_) ? recent_ : VertexId{0};
 }
 
-/// Those to vertices of lower number among `done` stand in the heap already.
-void MeshPreviewer::queue_edges(VertexId vertex, VertexId except, std::span<const VertexId> done) {
+void MeshPreviewer::queue_edges(VertexId vertex, VertexId except) {
     if (!refining_) return;
     thread_local std::vector<Spoke> fan;
     mesh_.triangulation().fan(vertex, fan);
-    for (const Spoke& spoke : fan) {
-        if (spoke.to == except || !refinable(vertex, spoke.to, spoke.constrained)) continue;
-        if (spoke.to < vertex && std::binary_search(done.begin(), done.end(), spoke.to)) continue;
-        if (const auto w = weight(vertex, spoke.to)) heap_.push(vertex, spoke.to, *w);
-    }
+    for (const Spoke& spoke : fan)
+        if (spoke.to != except) queue_edge(vertex, spoke);
 }
 
-/// What is known at a vertex tells what to expect of its neighbours' sides.
-void MeshPreviewer::queue_sides_around(std::span<const VertexId> vertices) {
+void MeshPreviewer::queue_edge(VertexId vertex, const Spoke& spoke) {
+    if (!refinable(vertex, spoke.to, spoke.constrained)) return;
+    if (const auto w = weight(vertex, spoke.to)) heap_.push(vertex, spoke.to, *w);
+}
+
+/// An edge that is new ends at a new vertex, or at two vertices around which something changed; at
+/// a vertex on a constraint even old edges may see other samples than before.
+void MeshPreviewer::queue_changed(std::vector<VertexId> touched, std::size_t vertices_before) {
+    if (!refining_) return;
     const Triangulation& t = mesh_.triangulation();
-    if (!refining_ || t.constraints() == 0) return;
-    std::vector<Spoke> fan;
-    std::vector<VertexId> around(vertices.begin(), vertices.end());
-    for (VertexId v : vertices) {
+    std::sort(touched.begin(), touched.end());
+    const auto all_of = [&](VertexId v) {
+        return v.value >= vertices_before || t.on_constraint(v);
+    };
+    thread_local std::vector<Spoke> fan;
+    for (VertexId v : touched) {
         t.fan(v, fan);
-        for (const Spoke& spoke : fan)
-            if (t.on_constraint(spoke.to)) around.push_back(spoke.to);
+        for (const Spoke& spoke : fan) {
+            const bool both = std::binary_search(touched.begin(), touched.end(), spoke.to);
+            if (both ? v < spoke.to : all_of(v)) queue_edge(v, spoke);
+        }
+        queue_side(v);
     }
-    std::sort(around.begin(), around.end());
-    around.erase(std::unique(around.begin(), around.end()), around.end());
-    for (VertexId v : around) queue_side(v);
 }
 
 void MeshPreviewer::queue_around(VertexId vertex) {
     queue_edges(vertex);
-    queue_sides_around({&vertex, 1});
+    queue_side(vertex);
 }
 
 void MeshPreviewer::queue_side(VertexId vertex) {
@@ -410,10 +415,11 @@ std::string MeshPreviewer::validate() const {
         if (!fault.empty() || !refinable(a, b, constrained)) return;
         if (const auto now = weight(a, b)) require(a, b, *now);
     });
+    // What sides weigh changes with all that becomes known around them; it is looked up again when
+    // their turn comes.
     for (std::uint32_t i = 0; i < t.vertex_ids() && fault.empty(); ++i)
-        if (t.alive(VertexId{i}))
-            if (const auto side = heaviest_side(VertexId{i}))
-                require(VertexId{i}, VertexId{i}, side->weight);
+        if (t.alive(VertexId{i}) && heaviest_side(VertexId{i}))
+            require(VertexId{i}, VertexId{i}, 0);
     return fault;
 }
 

@@ -124,8 +124,9 @@ class MeshPreviewer : public Previewer {
     VertexId live(VertexId near) const;
     std::optional<float> weight(VertexId a, VertexId b) const;
     bool refinable(VertexId a, VertexId b, bool constrained) const;
-    void queue_edges(VertexId vertex, VertexId except = {}, std::span<const VertexId> done = {});
-    void queue_sides_around(std::span<const VertexId> vertices);
+    void queue_edges(VertexId vertex, VertexId except = {});
+    void queue_edge(VertexId vertex, const Triangulation::Spoke& spoke);
+    void queue_changed(std::vector<VertexId> touched, std::size_t vertices_before);
     void queue_side(VertexId vertex);
     void queue_around(VertexId vertex);
 
@@ -142,6 +143,7 @@ class MeshPreviewer : public Previewer {
     std::vector<std::size_t> fill_order_;  // squares left when refinement ended, last first
     std::vector<EdgeChain> chains_;        // known and not yet inserted, lightest first
     std::size_t chain_vertices_ = 0;       // of those inserted
+    std::size_t vertices_before_insertion_ = 0;
     OutlineSearch search_;
     std::size_t outline_rays_ = 0;           // spent on outlines
     std::size_t waiting_since_ = 0;          // full rays when the next round's first edge was taken

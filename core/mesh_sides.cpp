@@ -65,6 +65,7 @@ std::uint32_t MeshPreviewer::surface_beside(VertexId a, VertexId b, bool left) c
 std::optional<Request> MeshPreviewer::split_constraint(VertexId a, VertexId b) {
     const Triangulation& t = mesh_.triangulation();
     const std::uint32_t left = surface_beside(a, b, true), right = surface_beside(a, b, false);
+    const std::size_t vertices_before = t.vertex_ids();
     const auto split = mesh_.split(a, b, (t.position(a) + t.position(b)) / 2.);
     const std::vector<VertexId> touched(t.touched().begin(), t.touched().end());
     std::optional<Request> wanted;
@@ -73,11 +74,10 @@ std::optional<Request> MeshPreviewer::split_constraint(VertexId a, VertexId b) {
         const bool on_left = mesh_.side_at(split.vertex, b, true) == side->side;
         wanted = ask_side(split.vertex, side->side, on_left ? left : right);
     }
-    // Where an old vertex stood in the way, a-b may be as it was: to queue it again would never
-    // end.
-    for (VertexId v : touched)
-        queue_edges(v, split.fresh ? VertexId{} : v == a ? b : v == b ? a : VertexId{});
-    queue_sides_around(touched);
+    if (split.fresh)
+        queue_changed(touched, vertices_before);
+    else  // an old vertex stood in the way: a-b may be as it was, and would be split for ever
+        for (VertexId v : touched) queue_edges(v, v == a ? b : v == b ? a : VertexId{});
     return wanted;
 }
 
