@@ -119,7 +119,7 @@ const char* CompoundFaces::add(const pov::ObjectBase& object, const pov::ObjectB
                    add_primitive(object, flagged != nullptr ? *flagged : object, solid)) {
         return reason;
     }
-    if (const char* reason = check_bound(object, first_primitive)) return reason;
+    if (const char* reason = check_bound(object, solid, first_primitive)) return reason;
     return add_clips(object, solid);
 }
 
@@ -166,21 +166,37 @@ const char* CompoundFaces::add_primitive(const pov::ObjectBase& object,
 
 /// A bound that holds everything has no effect. One that does not hides what POV-Ray's rays reach
 /// without meeting it, which depends on where they come from.
-const char* CompoundFaces::check_bound(const pov::ObjectBase& object,
+const char* CompoundFaces::check_bound(const pov::ObjectBase& object, const Solid& solid,
                                        std::size_t first_primitive) const {
     if (object.Bound.empty() || object.Bound == object.Clip) return nullptr;
-    Extent extent;
-    for (std::size_t i = first_primitive; i < primitives_.size(); ++i)
-        for (const Point& p : primitives_[i].faces.points) extent.include(p);
-    const Point middle = 0.5 * (extent.low + extent.high);
-    for (const pov::ObjectPtr bound : object.Bound) {
+    for (const pov::ObjectPtr bound : object.Bound)
         if (!is_convex(*bound)) return "bounded by something not convex";
-        for (std::size_t i = first_primitive; i < primitives_.size(); ++i)
-            for (const Point& p : primitives_[i].faces.points)
-                // Not exactly at the corner, where rounding decides.
-                if (!inside_(p + 1e-6 * (middle - p), *bound)) return "bounded by less than all";
+    std::vector<Point> points;
+    for (std::size_t i = first_primitive; i < primitives_.size(); ++i) {
+        const std::vector<Point>& corners = primitives_[i].faces.points;
+        points.insert(points.end(), corners.begin(), corners.end());
     }
-    return nullptr;
+    if (bounds_hold(object, points)) return nullptr;
+    // What the parts leave of each other may be less, above all of planes.
+    std::vector<SolidPiece> pieces;
+    if (!resolve(solid, std::min(limits_.max_faces, max_pieces), pieces)) return "too many faces";
+    points.clear();
+    for (const SolidPiece& piece : pieces)
+        points.insert(points.end(), piece.corners.begin(), piece.corners.end());
+    return bounds_hold(object, points) ? nullptr : "bounded by less than all";
+}
+
+/// Whether all of an object's bounds hold all of the points.
+bool CompoundFaces::bounds_hold(const pov::ObjectBase& object,
+                                const std::vector<Point>& points) const {
+    Extent extent;
+    for (const Point& p : points) extent.include(p);
+    const Point middle = 0.5 * (extent.low + extent.high);
+    for (const pov::ObjectPtr bound : object.Bound)
+        for (const Point& p : points)
+            // Not exactly at the corner, where rounding decides.
+            if (!inside_(p + 1e-6 * (middle - p), *bound)) return false;
+    return true;
 }
 
 }  // namespace povpreview::tracer

@@ -36,7 +36,9 @@ class CompoundFaces {
     const char* add_clips(const pov::ObjectBase& object, Solid& solid);
     const char* add_primitive(const pov::ObjectBase& object, const pov::ObjectBase& flagged,
                               Solid& solid);
-    const char* check_bound(const pov::ObjectBase& object, std::size_t first_primitive) const;
+    const char* check_bound(const pov::ObjectBase& object, const Solid& solid,
+                            std::size_t first_primitive) const;
+    bool bounds_hold(const pov::ObjectBase& object, const std::vector<Point>& points) const;
 
     FaceLimits limits_;
     Inside inside_;
