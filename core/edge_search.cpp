@@ -9,8 +9,13 @@ namespace povpreview {
 
 using Clock = std::chrono::steady_clock;
 
-/// Edges known within this time come in one part.
+/// How long it takes at most until the first edges are handed over.
 constexpr std::chrono::milliseconds first_part(250);
+
+/// Whether pieces may belong to one chain.
+static bool alike(const ImageEdge& a, const ImageEdge& b) {
+    return a.kind == b.kind && a.light == b.light;
+}
 
 EdgeSearch::EdgeSearch(std::function<std::optional<PolygonScene>()> make_scene,
                        const EdgeFinding& options)
@@ -37,6 +42,8 @@ void EdgeSearch::search(const PolygonScene& scene) {
     const Clock::time_point begin = Clock::now();
     Clock::duration next = first_part;
     find_edges(scene, options_, [&](std::vector<ImageEdge>&& pieces) {
+        if (!pieces_.empty() && !pieces.empty() && !alike(pieces_.back(), pieces.front()))
+            hand_over(size);
         pieces_.insert(pieces_.end(), pieces.begin(), pieces.end());
         if (Clock::now() - begin >= next) {
             hand_over(size);

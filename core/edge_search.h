@@ -17,9 +17,10 @@ namespace povpreview {
 
 /// Finds a scene's edges in a thread of its own, while the first samples are traced.
 ///
-/// Where that is a matter of a moment, the edges come all at once, as the fewest and longest
-/// chains. Else they come in parts, the most important ones first; each part takes as long again as
-/// all before it, so that chains of different parts, which cannot be joined, stay few.
+/// They come in parts, the most important ones first: what belongs to surfaces, then the shadows
+/// light by light, then what mirrors show; chains never join pieces of two kinds anyhow. Where one
+/// kind takes more than a moment, it comes in several parts, each taking as long again as all
+/// before it, so that chains that cannot be joined for that stay few.
 class EdgeSearch {
    public:
     /// `make_scene` is called once in that thread; without a scene there are no edges.

@@ -117,9 +117,12 @@ TEST(KnownEdgesOf, EveryKindKeepItThroughSplitsAndCrossings) {
         ASSERT_TRUE(line.constraint);
         lengths[std::size_t(line.kind)] += glm::distance(line.from, line.to);
         ++counts[std::size_t(line.kind)];
-        if (line.kind == EdgeKind::shadow)
+        if (line.kind == EdgeKind::shadow) {
             EXPECT_EQ(line.light, std::min(line.from.x, line.to.x) > 110 ? 1 : 7);
-        if (line.kind == EdgeKind::reflection) EXPECT_EQ(line.light, 2);
+        }
+        if (line.kind == EdgeKind::reflection) {
+            EXPECT_EQ(line.light, 2);
+        }
     }
     EXPECT_NEAR(lengths[0], 160, .1);
     EXPECT_NEAR(lengths[1], 180 + 15, .5);
