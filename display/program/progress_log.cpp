@@ -32,12 +32,16 @@ ProgressLog::ProgressLog(const std::filesystem::path& file) : file_(file), strea
 }
 
 void ProgressLog::write(const Standing& p) {
+    const auto& kinds = p.statistics.constraints_by_kind;
+    const auto of = [&](EdgeKind kind) { return kinds[static_cast<std::size_t>(kind)]; };
     put(
         fmt::format("{{\"time_s\":{:.4f},\"launch_s\":{:.4f},\"full\":{},\"probe\":{},"
-                    "\"albedo\":{},\"vertices\":{},\"constraints\":{},\"filled\":{},"
+                    "\"albedo\":{},\"vertices\":{},\"constraints\":{},\"geometric\":{},"
+                    "\"shadow\":{},\"reflection\":{},\"traced\":{},\"filled\":{},"
                     "\"busy\":{:.3f}}}\n",
                     p.time_s, p.launch_s, p.full, p.probe, p.albedo, p.statistics.vertices,
-                    p.statistics.constraints, p.statistics.filled, p.busy));
+                    p.statistics.constraints, of(EdgeKind::geometric), of(EdgeKind::shadow),
+                    of(EdgeKind::reflection), of(EdgeKind::traced), p.statistics.filled, p.busy));
 }
 
 void ProgressLog::write_event(double time_s, const std::string& text) {

@@ -6,6 +6,8 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "adapter/straight_camera.h"
+
 namespace povpreview {
 namespace {
 
@@ -56,6 +58,14 @@ PovrayOracle::Settings settings(std::vector<std::string> arguments, double stall
     return result;
 }
 
+/// "3 x sphere (curved), 1 x difference (too many faces)", or "nothing".
+std::string left_out(const Geometry& geometry) {
+    std::vector<std::string> parts;
+    for (const Geometry::LeftOut& some : geometry.left_out)
+        parts.push_back(fmt::format("{} x {} ({})", some.count, some.kind, some.reason));
+    return parts.empty() ? "nothing" : fmt::format("{}", fmt::join(parts, ", "));
+}
+
 }  // namespace
 
 TracedScene::TracedScene(std::vector<std::string> povray_arguments, double stall_timeout_s,
@@ -74,6 +84,7 @@ const std::vector<EdgeChain>& TracedScene::edges() {
     if (!edge_search_) {
         std::optional<Geometry> geometry = oracle_.take_geometry();
         if (!geometry) return edges_;
+        left_out_ = left_out(*geometry);
         edge_search_.emplace([geometry = std::move(*geometry),
                               this] { return polygon_scene(geometry, description_); },
                              *edge_finding_);

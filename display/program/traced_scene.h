@@ -66,6 +66,7 @@ class TracedScene {
     std::optional<EdgeFinding> edge_finding_;
     std::vector<EdgeChain> edges_;
     std::optional<EdgeSearch> edge_search_;
+    std::string left_out_;  // objects without polygons, for the report
     bool edges_reported_ = false;
 };
 
