@@ -60,7 +60,7 @@ class MeshPreviewer : public Previewer {
     Parts parts() const override;
     std::optional<Request> next() override;
     void accept(const Sample& sample) override;
-    bool wants_edges() const override { return options_.constraints; }
+    bool wants_edges() const override { return options_.constraints && refining_; }
     void accept_edges(std::vector<EdgeChain>&& chains) override;
     bool done() const override;
     Picture picture(Overlay overlay) const override;

@@ -40,7 +40,8 @@ class Previewer {
     virtual std::optional<Request> next() = 0;
     /// The answer to the oldest request not yet answered.
     virtual void accept(const Sample& sample) = 0;
-    /// Whether it has a use for discontinuity edges known without tracing; else none need be found.
+    /// Whether it has a use for discontinuity edges known without tracing, or still has; else none
+    /// need be found.
     virtual bool wants_edges() const { return false; }
     /// Such edges, heaviest first. May come at any time and more than once.
     virtual void accept_edges(std::vector<EdgeChain>&&) {}

@@ -17,18 +17,15 @@ class StrategyRun {
     StrategyRun(const std::string& method, TracedScene& scene, SampleOracle& oracle)
         : scene_(scene),
           previewer_(make_previewer(method, scene.description().width, scene.description().height)),
-          session_(*previewer_, oracle) {}
+          session_(*previewer_, oracle),
+          wants_edges_(previewer_->wants_edges()) {
+        if (wants_edges_) scene_.claim_edges();
+    }
 
     Session& session() { return session_; }
     /// Session::advance, with the edges that have become known since.
     bool advance(std::chrono::nanoseconds patience) {
-        if (previewer_->wants_edges()) {
-            const std::vector<EdgeChain>& known = scene_.edges();
-            if (edges_taken_ < known.size())
-                previewer_->accept_edges(
-                    {known.begin() + std::ptrdiff_t(edges_taken_), known.end()});
-            edges_taken_ = known.size();
-        }
+        if (wants_edges_) take_edges();
         return session_.advance(patience);
     }
     const Previewer& previewer() const { return *previewer_; }
@@ -45,9 +42,19 @@ class StrategyRun {
     }
 
    private:
+    void take_edges() {
+        wants_edges_ = previewer_->wants_edges();
+        if (!wants_edges_) return scene_.release_edges();
+        const std::vector<EdgeChain>& known = scene_.edges();
+        if (edges_taken_ < known.size())
+            previewer_->accept_edges({known.begin() + std::ptrdiff_t(edges_taken_), known.end()});
+        edges_taken_ = known.size();
+    }
+
     TracedScene& scene_;
     std::unique_ptr<Previewer> previewer_;
     Session session_;
+    bool wants_edges_ = false;
     std::size_t edges_taken_ = 0;  // of the scene's
 };
 

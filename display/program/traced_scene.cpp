@@ -95,6 +95,13 @@ const std::vector<EdgeChain>& TracedScene::edges() {
     return edges_;
 }
 
+void TracedScene::release_edges() {
+    if (--edge_claims_ > 0) return;
+    edges_too_late_ = edge_finding_ && !(edge_search_ && edge_search_->finished());
+    edge_finding_.reset();
+    if (edges_too_late_) edge_search_.reset();
+}
+
 void TracedScene::wait_for_edges(const std::function<bool()>& interrupted) {
     if (!edge_finding_) return;
     oracle_.wait_for_geometry(interrupted);
@@ -104,14 +111,20 @@ void TracedScene::wait_for_edges(const std::function<bool()>& interrupted) {
 }
 
 std::optional<std::string> TracedScene::take_edge_report() {
-    if (edges_reported_ || !edge_search_ || !edge_search_->finished()) return std::nullopt;
+    if (edges_reported_) return std::nullopt;
+    if (edges_too_late_) {
+        edges_reported_ = true;
+        return "edges known without tracing would have come too late: refinement was over";
+    }
+    if (!edge_search_ || !edge_search_->finished()) return std::nullopt;
     edges_reported_ = true;
     const EdgeSearch::Report& found = edge_search_->report();
-    if (!found.scene) return "no edges known without tracing: the camera bends straight lines";
+    if (!found.scene)
+        return "no edges known without tracing: " + why_not_straight(description_.camera);
     return fmt::format(
-        "{} chains of edges known without tracing, of {} pieces, from {} faces, "
-        "after {:.3f} s",
-        found.chains, found.pieces, found.faces, found.seconds);
+        "{} chains of edges known without tracing, of {} pieces, from {} faces, after {:.3f} s; "
+        "not polygonal: {}",
+        found.chains, found.pieces, found.faces, found.seconds, left_out_);
 }
 
 }  // namespace povpreview

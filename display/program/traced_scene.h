@@ -28,6 +28,9 @@ class TracedScene {
     /// The edges known by now without tracing, in the order of their coming. They are found beside
     /// everything else, as soon as the geometry has come.
     const std::vector<EdgeChain>& edges();
+    /// Who has a use for edges claims them; when all have released them again, no more are found.
+    void claim_edges() { ++edge_claims_; }
+    void release_edges();
     /// Waits until all of them are known, or `interrupted`.
     void wait_for_edges(const std::function<bool()>& interrupted);
     /// What there is to say about them when all are known, as a sentence; once.
@@ -66,8 +69,9 @@ class TracedScene {
     std::optional<EdgeFinding> edge_finding_;
     std::vector<EdgeChain> edges_;
     std::optional<EdgeSearch> edge_search_;
+    int edge_claims_ = 0;
     std::string left_out_;  // objects without polygons, for the report
-    bool edges_reported_ = false;
+    bool edges_too_late_ = false, edges_reported_ = false;
 };
 
 }  // namespace povpreview
