@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/mat4x3.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <string>
+#include <vector>
+
+#include "core/polygonal/polygon_scene.h"
+
+/// What of a scene can be drawn without tracing a ray, in world space: the source of the DetailMap
+/// (paper, section 2) and, its polygons, of the edges known beforehand. Anything may be wrong with
+/// it, as with a PolygonScene.
+namespace povpreview {
+
+/// A solid bounded by one algebraic surface f = 0, in a frame of its own; inside is f <= 0.
+struct Solid {
+    enum class Kind : std::uint8_t {
+        half_space,  ///< f = z
+        sphere,      ///< f = x^2 + y^2 + z^2 - 1
+        cylinder,    ///< f = x^2 + y^2 - 1, endless along z
+        cone,        ///< f = x^2 + y^2 - z^2, both nappes, endless
+        quadric,     ///< f = c . (xx, yy, zz, xy, xz, yz, x, y, z, 1)
+        torus        ///< f = (sqrt(x^2 + z^2) - 1)^2 + y^2 - c[0]^2
+    };
+    Kind kind = Kind::sphere;
+    glm::dmat4x3 to_frame{1};  ///< from the world; need not keep angles
+    std::array<double, 10> coefficients{};
+};
+
+/// A part of the boundary of a solid: its points where a condition holds. That is how primitives
+/// with ends, CSG and clipping are made of endless solids:
+///
+///     side of a closed cylinder = boundary of the endless one where inside(cap 1) and inside(cap 2)
+///     difference { A B }        = boundary of A where not inside(B), of B where inside(A)
+struct CurvedPiece {
+    std::uint32_t solid = 0;     ///< in DrawableScene::solids
+    std::uint32_t surface = 0;   ///< identity, as samples carry it (Sample::surface)
+    std::uint32_t material = 0;  ///< in DrawableScene::looks
+    /// Its condition: a program in DrawableScene::conditions; empty: holds everywhere.
+    std::uint32_t first_condition = 0, conditions = 0;
+};
+
+/// A step of a condition, for a machine with a stack of truth values, at most 32 deep: a number
+/// from 0 on pushes whether the point is inside the solid of that number.
+using ConditionStep = std::int32_t;
+constexpr ConditionStep condition_not = -1;  ///< of the top
+constexpr ConditionStep condition_and = -2;  ///< of the top two, in their place
+constexpr ConditionStep condition_or = -3;   ///< of the top two, in their place
+
+/// An axis-aligned box in world space; its sides may be infinitely far.
+struct Bounds {
+    glm::dvec3 low{}, high{};
+};
+
+/// An object with curved surfaces.
+struct CurvedObject {
+    Bounds bounds;                             ///< hold all that is visible of it
+    std::uint32_t first_piece = 0, pieces = 0;  ///< in DrawableScene::pieces
+};
+
+/// How an image covers a surface. A point of the world goes by `to_map` into the pigment's own
+/// space; `mapping` takes it from there to the unit square as POV-Ray's map_type does.
+struct ImageLook {
+    enum class Mapping : std::uint8_t { planar, spherical, cylindrical, toroidal, uv };
+    enum class Interpolation : std::uint8_t { none, bilinear, bicubic, normalised_distance };
+    std::uint32_t image = 0;  ///< in DrawableScene::images
+    Mapping mapping = Mapping::planar;
+    Interpolation interpolation = Interpolation::none;
+    bool once = false;  ///< outside of the unit square: not drawn, see Look::Kind::traced
+    glm::dmat4x3 to_map{1};
+};
+
+/// What is known of a material's albedo beforehand.
+struct Look {
+    enum class Kind : std::uint8_t {
+        plain,   ///< one colour all over
+        image,   ///< an image map that can be drawn
+        traced,  ///< varies, and only the ray tracer can say how
+        mixed    ///< not by its albedo alone: finishes or transparency vary, layers over glass
+    };
+    Kind kind = Kind::mixed;
+    ImageLook image;  ///< Kind::image
+};
+
+/// An image as the ray tracer holds it: in the scene's working gamma, row by row from the top.
+struct ImageTexels {
+    std::uint32_t width = 0, height = 0;
+    std::vector<std::array<std::uint16_t, 4>> texels;  ///< half floats: red, green, blue, opacity
+};
+
+struct DrawableScene {
+    /// Faces with the camera. `Face::material` is in `looks`.
+    PolygonScene polygons;
+    /// Beside PolygonScene::corners; empty where no face is of ImageLook::Mapping::uv.
+    std::vector<glm::vec2> corner_uvs;
+
+    std::vector<Solid> solids;
+    std::vector<ConditionStep> conditions;
+    std::vector<CurvedPiece> pieces;
+    std::vector<CurvedObject> objects;
+    /// Objects that cannot be drawn exactly, as boxes around them: what is not nearer than such a
+    /// box is not known.
+    std::vector<Bounds> unknown;
+
+    std::vector<Look> looks;  ///< by material; a material beyond its end is mixed
+    std::vector<ImageTexels> images;
+    float working_gamma = 1;  ///< of `images`
+};
+
+}  // namespace povpreview

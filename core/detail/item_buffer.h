@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <vector>
+
+#include "core/detail/drawable_scene.h"
+
+namespace povpreview {
+
+/// What is seen through the centre of every pixel, found without tracing: row by row from the top.
+struct ItemBuffer {
+    static constexpr std::uint32_t background = 0;        ///< nothing is hit; as Sample::surface
+    static constexpr std::uint32_t unknown = 0xffffffff;  ///< only tracing can tell
+
+    int width = 0, height = 0;            ///< pixels
+    std::vector<std::uint32_t> surfaces;  ///< identity (Sample::surface), background or unknown
+    std::vector<Look::Kind> kinds;        ///< of the surface's look at the pixel; unknown: mixed
+    /// Linear, where the kind is `image`; empty where it is so nowhere.
+    std::vector<glm::vec3> albedos;
+};
+
+}  // namespace povpreview
