@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <bit>
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <vector>
+
+#include "display/items/pixel_rays.h"
+
+namespace povpreview::items {
+
+/// A corner of a triangle of the image that a fragment shader fills by the record it belongs to.
+struct ItemCorner {
+    glm::vec2 position;    ///< pixels
+    std::uint32_t record;  ///< its first texel
+};
+
+/// An ellipsoid: a rectangle of the image and how rays run in the frame where it is the unit
+/// sphere. A pixel's ray is (x, y the pixel's offset from `reference`):
+///
+///     base + x base_x + y base_y + s (direction + x direction_x + y direction_y)
+///
+/// base_x, base_y and direction_x, direction_y are `across` and `down`, times one factor each.
+struct SphereInstance {
+    glm::vec4 rectangle;  ///< left, top, right, bottom
+    glm::vec4 reference;  ///< pixel x, y; depth where s = 0; depth for a step of s
+    glm::vec4 base;       ///< and the factor of base_x, base_y
+    glm::vec4 direction;  ///< and the factor of direction_x, direction_y
+    glm::vec3 across, down;
+    std::uint32_t surface, look;
+};
+
+/// What fragment shaders look up, texel by texel: floats as their bits, or integers.
+class Records {
+   public:
+    std::uint32_t next() const { return static_cast<std::uint32_t>(texels_.size()); }
+    void push(float a, float b, float c, float d) { push_bits(bits(a), bits(b), bits(c), bits(d)); }
+    void push(const glm::dvec3& v, float d) { push(glm::vec3(v), bits(d)); }
+    void push(const glm::dvec3& v, std::uint32_t d) { push(glm::vec3(v), d); }
+    void push_bits(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
+        texels_.emplace_back(a, b, c, d);
+    }
+    /// A texel with the last value to be set later.
+    glm::uvec4& at(std::uint32_t texel) { return texels_[texel]; }
+    const glm::uvec4& at(std::uint32_t texel) const { return texels_[texel]; }
+    std::vector<glm::uvec4>& texels() { return texels_; }
+
+    static std::uint32_t bits(float value) { return std::bit_cast<std::uint32_t>(value); }
+    static std::uint32_t bits(double value) { return bits(static_cast<float>(value)); }
+
+   private:
+    void push(const glm::vec3& v, std::uint32_t d) {
+        push_bits(bits(v.x), bits(v.y), bits(v.z), d);
+    }
+
+    std::vector<glm::uvec4> texels_;
+};
+
+/// A fragment's second value is the number of its look (its material), or with this bit the record
+/// of a face with texture coordinates, which has the look and them.
+constexpr std::uint32_t look_in_record = 0x80000000u;
+/// Where nothing was drawn, and what is unknown.
+constexpr std::uint32_t no_look = 0x7fffffffu;
+
+/// All that is drawn of a scene, in the image of its camera.
+struct DrawLists {
+    Records records;
+    std::vector<ItemCorner> faces, unknown;
+    std::vector<SphereInstance> spheres;
+    /// Objects by the shader that they need: without conditions, with them, with tori.
+    std::vector<ItemCorner> simple_objects, objects, torus_objects;
+    /// Where each look may be seen, for those with images; by look.
+    std::vector<PixelRect> look_rects;
+};
+
+}  // namespace povpreview::items

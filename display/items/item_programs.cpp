@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "display/items/item_programs.h"
+
+#include <bit>
+#include <cstddef>
+#include <string>
+
+#include "core/error.h"
+#include "display/items/item_shaders.h"
+#include "display/items/item_target.h"
+
+namespace povpreview::items {
+
+namespace {
+
+/// Texels in a row of the records' texture; the shaders know it.
+constexpr int record_row = 2048;
+
+template <class... Parts>
+std::string source(const Parts*... parts) {
+    return (std::string() + ... + parts);
+}
+
+std::string object_source(const char* tori, const char* conditions) {
+    return source(shaders::records, shaders::result, shaders::local_ray, shaders::solids, tori,
+                  conditions, shaders::object_fragment);
+}
+
+}  // namespace
+
+ItemPrograms::ItemPrograms(GlContext& context)
+    : context_(context),
+      gl_(context.gl()),
+      faces_(gl_, shaders::corner_vertex,
+             source(shaders::records, shaders::result, shaders::face_fragment).c_str()),
+      spheres_(gl_, shaders::sphere_vertex,
+               source(shaders::result, shaders::sphere_fragment).c_str()),
+      unknown_(
+          gl_, shaders::corner_vertex,
+          source(shaders::records, shaders::result, shaders::local_ray, shaders::unknown_fragment)
+              .c_str()),
+      simple_objects_(gl_, shaders::corner_vertex,
+                      object_source(shaders::without_tori, shaders::no_conditions).c_str()),
+      objects_(gl_, shaders::corner_vertex,
+               object_source(shaders::without_tori, shaders::conditions).c_str()),
+      torus_objects_(gl_, shaders::corner_vertex,
+                     object_source(shaders::with_tori, shaders::conditions).c_str()),
+      records_(gl_),
+      corner_buffer_(gl_),
+      sphere_buffer_(gl_),
+      corner_array_(gl_),
+      sphere_array_(gl_) {
+    const auto offset = [](std::size_t bytes) { return reinterpret_cast<const void*>(bytes); };
+    gl_.BindVertexArray(corner_array_.id());
+    gl_.BindBuffer(GL_ARRAY_BUFFER, corner_buffer_.id());
+    for (GLuint index : {0u, 1u}) gl_.EnableVertexAttribArray(index);
+    gl_.VertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, sizeof(ItemCorner),
+                            offset(offsetof(ItemCorner, position)));
+    gl_.VertexAttribIPointer(1, 1, GL_UNSIGNED_INT, sizeof(ItemCorner),
+                             offset(offsetof(ItemCorner, record)));
+
+    gl_.BindVertexArray(sphere_array_.id());
+    gl_.BindBuffer(GL_ARRAY_BUFFER, sphere_buffer_.id());
+    struct Attribute {
+        GLint floats;
+        std::size_t at;
+    };
+    GLuint index = 0;
+    for (const Attribute& attribute : {Attribute{4, offsetof(SphereInstance, rectangle)},
+                                       {4, offsetof(SphereInstance, reference)},
+                                       {4, offsetof(SphereInstance, base)},
+                                       {4, offsetof(SphereInstance, direction)},
+                                       {3, offsetof(SphereInstance, across)},
+                                       {3, offsetof(SphereInstance, down)}})
+        gl_.VertexAttribPointer(index++, attribute.floats, GL_FLOAT, GL_FALSE,
+                                sizeof(SphereInstance), offset(attribute.at));
+    gl_.VertexAttribIPointer(index++, 2, GL_UNSIGNED_INT, sizeof(SphereInstance),
+                             offset(offsetof(SphereInstance, surface)));
+    for (GLuint i = 0; i < index; ++i) {
+        gl_.EnableVertexAttribArray(i);
+        gl_.VertexAttribDivisor(i, 1);
+    }
+}
+
+void ItemPrograms::upload_records(Records& records) {
+    std::vector<glm::uvec4>& texels = records.texels();
+    if (texels.empty()) return;
+    const std::size_t wanted = (texels.size() + record_row - 1) / record_row;
+    if (wanted > static_cast<std::size_t>(context_.max_texture_size()))
+        throw Error(Exit::usage, "OpenGL cannot hold the scene's geometry", context_.description(),
+                    "preview without drawing what is seen beforehand");
+    // A power of two: drivers compile shaders anew for textures that are none.
+    const std::size_t rows = std::bit_ceil(wanted);
+    texels.resize(rows * record_row);
+    make_texture(gl_, records_, GL_RGBA32UI, record_row, static_cast<int>(rows), GL_RGBA_INTEGER,
+                 GL_UNSIGNED_INT, texels.data());
+}
+
+void ItemPrograms::set_uniforms(const GlProgram& program, const PixelRays& rays, int width,
+                                int height) const {
+    program.use();
+    gl_.Uniform2f(program.uniform("size"), static_cast<float>(width), static_cast<float>(height));
+    gl_.Uniform1i(program.uniform("records"), 0);
+    gl_.Uniform1i(program.uniform("orthographic"), rays.orthographic);
+    const glm::vec3 across(rays.across), down(rays.down);
+    gl_.Uniform3f(program.uniform("across"), across.x, across.y, across.z);
+    gl_.Uniform3f(program.uniform("down"), down.x, down.y, down.z);
+}
+
+void ItemPrograms::draw_corners(const GlProgram& program, const std::vector<ItemCorner>& corners) {
+    gl_.BindVertexArray(corner_array_.id());
+    gl_.BindBuffer(GL_ARRAY_BUFFER, corner_buffer_.id());
+    gl_.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(corners.size() * sizeof(ItemCorner)),
+                   corners.data(), GL_STREAM_DRAW);
+    program.use();
+    gl_.DrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(corners.size()));
+}
+
+void ItemPrograms::draw_spheres(const std::vector<SphereInstance>& spheres) {
+    gl_.BindVertexArray(sphere_array_.id());
+    gl_.BindBuffer(GL_ARRAY_BUFFER, sphere_buffer_.id());
+    gl_.BufferData(GL_ARRAY_BUFFER,
+                   static_cast<GLsizeiptr>(spheres.size() * sizeof(SphereInstance)), spheres.data(),
+                   GL_STREAM_DRAW);
+    spheres_.use();
+    gl_.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(spheres.size()));
+}
+
+void ItemPrograms::draw(DrawLists& lists, const PixelRays& rays, int width, int height) {
+    gl_.ActiveTexture(GL_TEXTURE0);
+    upload_records(lists.records);
+    gl_.BindTexture(GL_TEXTURE_2D, records_.id());
+    gl_.Disable(GL_BLEND);
+    gl_.Disable(GL_CULL_FACE);
+    gl_.Enable(GL_DEPTH_TEST);
+    gl_.DepthFunc(GL_GREATER);
+    const std::pair<const GlProgram*, const std::vector<ItemCorner>*> passes[] = {
+        {&faces_, &lists.faces},
+        {&unknown_, &lists.unknown},
+        {&simple_objects_, &lists.simple_objects},
+        {&objects_, &lists.objects},
+        {&torus_objects_, &lists.torus_objects}};
+    for (const auto& [program, corners] : passes) {
+        if (corners->empty()) continue;
+        set_uniforms(*program, rays, width, height);
+        draw_corners(*program, *corners);
+    }
+    if (!lists.spheres.empty()) {
+        set_uniforms(spheres_, rays, width, height);
+        draw_spheres(lists.spheres);
+    }
+    gl_.DepthFunc(GL_LESS);
+    gl_.Disable(GL_DEPTH_TEST);
+}
+
+}  // namespace povpreview::items

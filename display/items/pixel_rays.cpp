@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "display/items/pixel_rays.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/glm.hpp>
+
+namespace povpreview::items {
+
+namespace {
+
+/// What lies this many image sizes beside the image is cut off.
+constexpr double margin = 1;
+
+bool finite(const glm::dvec3& v) { return std::isfinite(v.x + v.y + v.z); }
+
+glm::dvec3 matrix_row(const glm::dmat4x3& m, int i) { return {m[0][i], m[1][i], m[2][i]}; }
+
+/// The matrix with these rows, turned around; columns are what (1, 0, 0) ... come from.
+glm::dmat3 inverse_of_rows(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+    return glm::inverse(glm::transpose(glm::dmat3(a, b, c)));
+}
+
+}  // namespace
+
+PixelRays::PixelRays(const StraightCamera& camera) {
+    const glm::dvec3 x = matrix_row(camera.to_pixels, 0), y = matrix_row(camera.to_pixels, 1),
+                     w = matrix_row(camera.to_pixels, 2), depth(camera.depth);
+    orthographic = camera.eye.w == 0;
+    if (orthographic) {
+        const glm::dmat3 back = inverse_of_rows(x, y, depth);
+        across = back[0], down = back[1], along = back[2];
+        origin = -back * glm::dvec3(camera.to_pixels[3].x, camera.to_pixels[3].y, camera.depth.w);
+        row_x_ = x, row_y_ = y, row_depth_ = depth;
+    } else {
+        origin = glm::dvec3(camera.eye) / camera.eye.w;
+        const glm::dmat3 back = inverse_of_rows(x, y, w);
+        // w is the depth but for a factor, which is the same everywhere.
+        const double depth_of_w = glm::dot(depth, back[2]);
+        across = back[0] / depth_of_w, down = back[1] / depth_of_w, along = back[2] / depth_of_w;
+        row_x_ = x * depth_of_w, row_y_ = y * depth_of_w, row_depth_ = w * depth_of_w;
+    }
+    valid = finite(origin) && finite(along) && finite(across) && finite(down);
+}
+
+Projected PixelRays::project(const glm::dvec3& p) const {
+    const glm::dvec3 from_origin = p - origin;
+    const double depth = glm::dot(row_depth_, from_origin);
+    return {glm::dot(row_x_, from_origin), glm::dot(row_y_, from_origin), orthographic ? 1 : depth,
+            depth};
+}
+
+glm::dvec3 PixelRays::point(const glm::dvec2& pixel, double depth) const {
+    if (orthographic) return origin + depth * along + pixel.x * across + pixel.y * down;
+    return origin + depth * direction(pixel);
+}
+
+void PixelRect::include(const glm::dvec2& p) {
+    low = glm::min(low, p);
+    high = glm::max(high, p);
+}
+
+namespace {
+
+/// Keeps the side where `inside` is not negative. The point where an edge crosses comes out the
+/// same whichever of its ends comes first.
+template <class Inside>
+void cut(std::vector<Projected>& polygon, const Inside& inside) {
+    std::vector<Projected> kept;
+    kept.reserve(polygon.size() + 2);
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const Projected &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+        const double at_a = inside(a), at_b = inside(b);
+        if (at_a >= 0) kept.push_back(a);
+        if ((at_a >= 0) == (at_b >= 0)) continue;
+        const double whole = at_a - at_b;
+        const auto between = [&](double from, double to) {
+            return (at_a * to - at_b * from) / whole;
+        };
+        kept.push_back(
+            {between(a.x, b.x), between(a.y, b.y), between(a.w, b.w), between(a.depth, b.depth)});
+    }
+    polygon.swap(kept);
+}
+
+}  // namespace
+
+void clip_to_view(std::vector<Projected>& polygon, int width, int height) {
+    const double x0 = -margin * width, x1 = (1 + margin) * width, y0 = -margin * height,
+                 y1 = (1 + margin) * height;
+    bool whole = true;
+    for (const Projected& p : polygon)
+        whole = whole && p.depth >= nearest_depth && p.x >= x0 * p.w && p.x <= x1 * p.w &&
+                p.y >= y0 * p.w && p.y <= y1 * p.w;
+    if (whole) return;
+    cut(polygon, [](const Projected& p) { return p.depth - nearest_depth; });
+    cut(polygon, [&](const Projected& p) { return p.x - x0 * p.w; });
+    cut(polygon, [&](const Projected& p) { return x1 * p.w - p.x; });
+    cut(polygon, [&](const Projected& p) { return p.y - y0 * p.w; });
+    cut(polygon, [&](const Projected& p) { return y1 * p.w - p.y; });
+}
+
+std::vector<glm::dvec2> convex_hull(std::vector<glm::dvec2> points) {
+    std::sort(points.begin(), points.end(), [](const glm::dvec2& a, const glm::dvec2& b) {
+        return a.x != b.x ? a.x < b.x : a.y < b.y;
+    });
+    const auto turns_left = [](const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
+        return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x) > 0;
+    };
+    std::vector<glm::dvec2> hull;
+    // Lower chain from the left, then the upper chain back (Andrew's monotone chains).
+    for (int chain = 0; chain < 2; ++chain) {
+        const std::size_t start = hull.size();
+        for (const glm::dvec2& p : points) {
+            while (hull.size() >= start + 2 && !turns_left(hull[hull.size() - 2], hull.back(), p))
+                hull.pop_back();
+            hull.push_back(p);
+        }
+        if (!hull.empty()) hull.pop_back();
+        std::reverse(points.begin(), points.end());
+    }
+    return hull;
+}
+
+}  // namespace povpreview::items

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <vector>
+
+#include "core/polygonal/polygon_scene.h"
+
+namespace povpreview::items {
+
+/// Depths nearer than this, in units of the scene, are all taken for this one.
+constexpr double nearest_depth = 1e-15;
+
+/// A point as the camera projects it: pixel = (x / w, y / w). Perspective: w is the depth.
+struct Projected {
+    double x, y, w, depth;
+    glm::dvec2 pixel() const { return {x / w, y / w}; }
+};
+
+/// A camera turned around: the points that a place of the image shows, by depth.
+///
+///     perspective:  origin + depth (along + px across + py down)
+///     orthographic: origin + depth along + px across + py down
+struct PixelRays {
+    explicit PixelRays(const StraightCamera& camera);
+
+    /// Whether the camera could be turned around; if not, nothing else here means anything.
+    bool valid = false;
+    bool orthographic = false;
+    glm::dvec3 origin{}, along{}, across{}, down{};
+
+    Projected project(const glm::dvec3& p) const;
+    glm::dvec3 direction(const glm::dvec2& pixel) const {
+        return orthographic ? along : along + pixel.x * across + pixel.y * down;
+    }
+    glm::dvec3 point(const glm::dvec2& pixel, double depth) const;
+
+   private:
+    // Applied to (p - origin): w px, w py, w scaled so that w, or the fourth, is the depth.
+    glm::dvec3 row_x_{}, row_y_{}, row_depth_{};
+};
+
+/// Rectangle of the image, pixels; empty at first.
+struct PixelRect {
+    glm::dvec2 low{1e30}, high{-1e30};
+    void include(const glm::dvec2& p);
+    bool empty() const { return !(low.x < high.x && low.y < high.y); }
+};
+
+/// The part of a convex polygon that is in front of the eye and in the image or a little beside it;
+/// empty if there is none. Neighbours that share an edge still share what is left of it, to the
+/// bit.
+void clip_to_view(std::vector<Projected>& polygon, int width, int height);
+
+/// The convex hull of pixels, in order around.
+std::vector<glm::dvec2> convex_hull(std::vector<glm::dvec2> points);
+
+}  // namespace povpreview::items
