@@ -9,12 +9,58 @@ namespace {
 
 std::uint32_t size32(std::size_t size) { return static_cast<std::uint32_t>(size); }
 
-void add_face(PolygonScene& scene, const Face& like, std::span<const std::uint32_t> corners) {
+/// The polygons of a scene as convex faces.
+class FaceCutter {
+   public:
+    explicit FaceCutter(const Geometry& geometry) : geometry_(geometry) {
+        scene.points = geometry.points;
+        scene.faces.reserve(geometry.polygons.size());
+        scene.corners.reserve(geometry.corners.size());
+        if (!geometry.corner_uvs.empty()) corner_uvs.reserve(geometry.corners.size());
+    }
+
+    void cut();
+
+    PolygonScene scene;                 ///< but for camera and lights
+    std::vector<glm::vec2> corner_uvs;  ///< beside its corners; or none
+
+   private:
+    std::span<const std::uint32_t> corners_of(const Geometry::Ring& ring) const {
+        return std::span(geometry_.corners).subspan(ring.first, ring.count);
+    }
+    void add_face(const Face& like, std::span<const std::uint32_t> corners);
+
+    const Geometry& geometry_;
+};
+
+void FaceCutter::add_face(const Face& like, std::span<const std::uint32_t> corners) {
     Face face = like;
     face.first = size32(scene.corners.size());
     face.count = size32(corners.size());
     scene.corners.insert(scene.corners.end(), corners.begin(), corners.end());
     scene.faces.push_back(face);
+}
+
+void FaceCutter::cut() {
+    for (const Geometry::Polygon& polygon : geometry_.polygons) {
+        const auto rings = std::span(geometry_.rings).subspan(polygon.first_ring, polygon.rings);
+        if (rings.size() == 1 && (polygon.convex || rings[0].count <= 3)) {
+            add_face(polygon.face, corners_of(rings[0]));
+            if (!geometry_.corner_uvs.empty()) {
+                const auto first = geometry_.corner_uvs.begin() + rings[0].first;
+                corner_uvs.insert(corner_uvs.end(), first, first + rings[0].count);
+            }
+            continue;
+        }
+        std::vector<IndexRing> loops;
+        for (const Geometry::Ring& ring : rings)
+            if (const auto corners = corners_of(ring); corners.size() >= 3)
+                loops.emplace_back(corners.begin(), corners.end());
+        for (const IndexRing& piece : convex_pieces(loops, scene.points))
+            add_face(polygon.face, piece);
+        // Only triangles of meshes have coordinates of their own, and they are not cut.
+        if (!geometry_.corner_uvs.empty()) corner_uvs.resize(scene.corners.size());
+    }
 }
 
 /// POV-Ray's parallel lights shine in the direction from their position to `points_at`; area lights
@@ -33,6 +79,34 @@ std::vector<PointLight> point_lights(const SceneDescription& scene) {
     return lights;
 }
 
+/// A scene of the polygons alone.
+std::optional<DrawableScene> drawable_polygons(const Geometry& geometry,
+                                               const SceneDescription& scene) {
+    if (!why_not_straight(scene.camera).empty()) return std::nullopt;
+    FaceCutter cutter(geometry);
+    cutter.cut();
+    DrawableScene result;
+    result.polygons = std::move(cutter.scene);
+    result.corner_uvs = std::move(cutter.corner_uvs);
+    result.polygons.width = scene.width;
+    result.polygons.height = scene.height;
+    result.polygons.camera = straight_camera(scene.camera, scene.width, scene.height);
+    result.polygons.lights = point_lights(scene);
+    return result;
+}
+
+/// Materials are numbered from 1 on, and each has its look: others make no sense.
+std::vector<Look> looks_by_material(const Geometry& geometry) {
+    std::vector<Look> looks(geometry.looks.size() + 1);
+    for (const Geometry::MaterialLook& look : geometry.looks) {
+        if (look.material >= looks.size()) continue;
+        Look& to = looks[look.material] = look.look;
+        if (to.kind == Look::Kind::image && to.image.image >= geometry.images.size())
+            to.kind = Look::Kind::traced;
+    }
+    return looks;
+}
+
 }  // namespace
 
 void Geometry::append(const Geometry& other) {
@@ -45,35 +119,52 @@ void Geometry::append(const Geometry& other) {
         polygon.first_ring += first_ring;
         polygons.push_back(polygon);
     }
-    left_out.insert(left_out.end(), other.left_out.begin(), other.left_out.end());
+    const auto add_all = [](auto& to, const auto& from) {
+        to.insert(to.end(), from.begin(), from.end());
+    };
+    add_all(left_out, other.left_out);
+    if (!corner_uvs.empty() || !other.corner_uvs.empty()) {
+        corner_uvs.resize(first_corner);
+        add_all(corner_uvs, other.corner_uvs);
+        corner_uvs.resize(corners.size());
+    }
+    const std::uint32_t first_solid = size32(solids.size()), first_step = size32(conditions.size()),
+                        first_piece = size32(pieces.size());
+    add_all(solids, other.solids);
+    for (const ConditionStep step : other.conditions)
+        conditions.push_back(step < 0 ? step : step + static_cast<ConditionStep>(first_solid));
+    for (CurvedPiece piece : other.pieces) {
+        piece.solid += first_solid;
+        piece.first_condition += first_step;
+        pieces.push_back(piece);
+    }
+    for (CurvedObject object : other.objects) {
+        object.first_piece += first_piece;
+        objects.push_back(object);
+    }
+    add_all(unknown, other.unknown);
+    add_all(looks, other.looks);
+    add_all(images, other.images);
 }
 
 std::optional<PolygonScene> polygon_scene(const Geometry& geometry, const SceneDescription& scene) {
-    if (!why_not_straight(scene.camera).empty()) return std::nullopt;
-    PolygonScene result;
-    result.width = scene.width;
-    result.height = scene.height;
-    result.camera = straight_camera(scene.camera, scene.width, scene.height);
-    result.lights = point_lights(scene);
-    result.points = geometry.points;
-    result.faces.reserve(geometry.polygons.size());
-    result.corners.reserve(geometry.corners.size());
-    const auto corners_of = [&geometry](const Geometry::Ring& ring) {
-        return std::span(geometry.corners).subspan(ring.first, ring.count);
-    };
-    for (const Geometry::Polygon& polygon : geometry.polygons) {
-        const auto rings = std::span(geometry.rings).subspan(polygon.first_ring, polygon.rings);
-        if (rings.size() == 1 && (polygon.convex || rings[0].count <= 3)) {
-            add_face(result, polygon.face, corners_of(rings[0]));
-            continue;
-        }
-        std::vector<IndexRing> loops;
-        for (const Geometry::Ring& ring : rings)
-            if (const auto corners = corners_of(ring); corners.size() >= 3)
-                loops.emplace_back(corners.begin(), corners.end());
-        for (const IndexRing& piece : convex_pieces(loops, result.points))
-            add_face(result, polygon.face, piece);
-    }
+    std::optional<DrawableScene> drawable = drawable_polygons(geometry, scene);
+    if (!drawable) return std::nullopt;
+    return std::move(drawable->polygons);
+}
+
+std::optional<DrawableScene> drawable_scene(const Geometry& geometry,
+                                            const SceneDescription& scene) {
+    std::optional<DrawableScene> result = drawable_polygons(geometry, scene);
+    if (!result) return std::nullopt;
+    result->solids = geometry.solids;
+    result->conditions = geometry.conditions;
+    result->pieces = geometry.pieces;
+    result->objects = geometry.objects;
+    result->unknown = geometry.unknown;
+    result->images = geometry.images;
+    result->working_gamma = scene.working_gamma;
+    result->looks = looks_by_material(geometry);
     return result;
 }
 

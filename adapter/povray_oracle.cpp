@@ -53,6 +53,8 @@ void PovrayOracle::start() {
     sent_end_ = queue_.begin();
     arriving_ = {};
     geometry_ended_ = false;
+    arriving_images_.clear();
+    image_ = 0;
     last_look_ = Clock::now();
     try {
         process_ = std::make_unique<TracerProcess>(settings_.program, settings_.arguments,
@@ -76,14 +78,22 @@ const SceneDescription& PovrayOracle::wait_for_scene(
 }
 
 void PovrayOracle::wait_for_geometry(const std::function<bool()>& interrupted) {
-    waits_for_geometry_ = true;
+    wait_until(geometry_complete_, interrupted);
+}
+
+void PovrayOracle::wait_for_images(const std::function<bool()>& interrupted) {
+    wait_until(images_complete_, interrupted);
+}
+
+void PovrayOracle::wait_until(const bool& come, const std::function<bool()>& interrupted) {
+    waits_for_scene_parts_ = true;
     silence_ = {};
     last_look_ = Clock::now();
-    while (!geometry_complete_) {
+    while (!come) {
         if (interrupted && interrupted()) fail(Exit::interrupted, "interrupted", "");
         advance(Clock::now() + 50ms);
     }
-    waits_for_geometry_ = false;
+    waits_for_scene_parts_ = false;
 }
 
 void PovrayOracle::submit(std::span<const Request> requests, Parts parts) {
@@ -147,6 +157,7 @@ void PovrayOracle::handle(std::span<const std::byte> frame) {
     if (const auto* scene = std::get_if<SceneDescription>(&any)) return handle_scene(*scene);
     if (const auto* chunk = std::get_if<report::GeometryChunk>(&any))
         return handle_geometry(*chunk);
+    if (const auto* part = std::get_if<report::Texels>(&any)) return handle_texels(*part);
     if (progress_) progress_(std::get<report::Progress>(any));
 }
 
@@ -189,14 +200,48 @@ void PovrayOracle::handle_geometry(const report::GeometryChunk& chunk) {
     if (state_ != State::serving) throw WireFault("geometry before the scene");
     if (geometry_ended_) throw WireFault("more geometry after the last of it");
     geometry_ended_ = chunk.last;
+    arriving_images_.insert(arriving_images_.end(), chunk.part.images.begin(),
+                            chunk.part.images.end());
+    std::size_t texels = 0;
+    for (const ImageTexels& image : arriving_images_)
+        texels += std::size_t{image.width} * image.height;
+    if (texels > wire_max_texels) throw WireFault(fmt::format("images of {} texels", texels));
+    if (chunk.last) check_images_complete();
     if (geometry_complete_) return;  // an earlier process had sent it
     arriving_.append(chunk.part);
-    if (arriving_.points.size() > geometry_limit || arriving_.corners.size() > geometry_limit ||
-        arriving_.polygons.size() > geometry_limit || arriving_.left_out.size() > geometry_limit)
-        throw WireFault(fmt::format("geometry of more than {} parts", geometry_limit));
+    for (const std::size_t size :
+         {arriving_.points.size(), arriving_.corners.size(), arriving_.polygons.size(),
+          arriving_.left_out.size(), arriving_.solids.size(), arriving_.conditions.size(),
+          arriving_.pieces.size(), arriving_.objects.size(), arriving_.unknown.size(),
+          arriving_.looks.size()})
+        if (size > geometry_limit)
+            throw WireFault(fmt::format("geometry of more than {} parts", geometry_limit));
     if (!chunk.last) return;
     geometry_complete_ = true;
     geometry_ = std::exchange(arriving_, {});
+}
+
+void PovrayOracle::handle_texels(const report::Texels& part) {
+    if (!geometry_ended_) throw WireFault("texels before the last of the geometry");
+    if (image_ >= arriving_images_.size() || part.image != image_)
+        throw WireFault(fmt::format("texels of image {}, not of image {}", part.image, image_));
+    ImageTexels& image = arriving_images_[image_];
+    const std::size_t size = std::size_t{image.width} * image.height;
+    if (part.first != image.texels.size() || part.texels.size() > size - part.first)
+        throw WireFault(fmt::format("texels {} to {} of an image of {}, after {}", part.first,
+                                    part.first + part.texels.size(), size, image.texels.size()));
+    image.texels.insert(image.texels.end(), part.texels.begin(), part.texels.end());
+    if (image.texels.size() == size) ++image_;
+    check_images_complete();
+}
+
+void PovrayOracle::check_images_complete() {
+    if (image_ < arriving_images_.size()) return;
+    // An earlier process may have sent them all.
+    if (!images_complete_) images_ = std::move(arriving_images_);
+    images_complete_ = true;
+    arriving_images_.clear();
+    image_ = 0;
 }
 
 void PovrayOracle::handle_answer(const report::Answer& answer) {
@@ -360,7 +405,7 @@ void PovrayOracle::check_stall(Clock::time_point before, Clock::time_point deadl
     silence_ +=
         std::min<Clock::duration>(away, 1s) + std::min<Clock::duration>(waited, patience + 1s);
     last_look_ = now;
-    if (outstanding_ == 0 && !waits_for_geometry_) silence_ = {};
+    if (outstanding_ == 0 && !waits_for_scene_parts_) silence_ = {};
     if (silence_ > settings_.stall_timeout)
         fail(Exit::tracer,
              fmt::format("the tracer has said nothing for {:.3g} seconds while {} were due",

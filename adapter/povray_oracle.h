@@ -71,6 +71,14 @@ class PovrayOracle : public SampleOracle {
     /// and Settings::geometry asked for its polygons.
     void wait_for_geometry(const std::function<bool()>& interrupted);
 
+    /// The texels of Geometry::images, once, when all of them have come, which is after the
+    /// geometry. Nothing before that and afterwards.
+    std::optional<std::vector<ImageTexels>> take_images() {
+        return std::exchange(images_, std::nullopt);
+    }
+    /// As wait_for_geometry(), for take_images().
+    void wait_for_images(const std::function<bool()>& interrupted);
+
     void submit(std::span<const Request> requests, Parts parts) override;
     /// As SampleOracle says; a signal ends the wait early.
     void collect(std::vector<Sample>& samples, std::chrono::nanoseconds patience) override;
@@ -104,7 +112,10 @@ class PovrayOracle : public SampleOracle {
     void handle_hello(const report::Hello& hello);
     void handle_scene(SceneDescription scene);
     void handle_answer(const report::Answer& answer);
+    void wait_until(const bool& come, const std::function<bool()>& interrupted);
     void handle_geometry(const report::GeometryChunk& chunk);
+    void handle_texels(const report::Texels& part);
+    void check_images_complete();
     [[noreturn]] void handle_failure(const report::Failure& failure);
 
     void send_waiting();
@@ -149,8 +160,12 @@ class PovrayOracle : public SampleOracle {
     Geometry arriving_;               ///< what this process has sent so far
     bool geometry_ended_ = false;     ///< this process has sent all
     bool geometry_complete_ = false;  ///< some process has
-    bool waits_for_geometry_ = false;
-    std::optional<Geometry> geometry_;  ///< complete, and not taken yet
+    bool waits_for_scene_parts_ = false;
+    std::optional<Geometry> geometry_;                ///< complete, and not taken yet
+    std::vector<ImageTexels> arriving_images_;        ///< what this process has sent so far
+    std::size_t image_ = 0;                           ///< of them the one that is coming
+    bool images_complete_ = false;                    ///< some process has sent them all
+    std::optional<std::vector<ImageTexels>> images_;  ///< complete, and not taken yet
     std::vector<std::string> faults_;
 
     TracerStatistics statistics_;

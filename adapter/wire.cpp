@@ -12,47 +12,19 @@
 #include <utility>
 
 #include "adapter/wire_generated.h"
+#include "adapter/wire_values.h"
 
 namespace povpreview {
+
+using namespace wire_values;
+
 namespace {
 
 static_assert(std::endian::native == std::endian::little,
               "frame sizes are copied as they lie in memory");
 
-glm::vec3 vec3(const wire::Vec3f& v) { return {v.x(), v.y(), v.z()}; }
-glm::dvec3 vec3(const wire::Vec3d& v) { return {v.x(), v.y(), v.z()}; }
-/// Absent struct fields read as zero, like absent numbers.
-template <class V>
-auto vec3(const V* v) {
-    return v ? vec3(*v) : decltype(vec3(*v))(0);
-}
-std::string text(const flatbuffers::String* s) { return s ? s->str() : std::string(); }
-
 bool finite(const glm::vec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
-
-/// The enumerator of ours that stands for one of the wire's; both lists run alike from 0.
-template <class Ours, class Wires>
-Ours enumerator(Wires value, Wires last, const char* what) {
-    if (value > last)
-        throw WireFault(fmt::format("an unknown {} ({})", what, static_cast<unsigned>(value)));
-    return static_cast<Ours>(value);
-}
-
-/// Entries of a list in a scene; entries can share their content, so the size of the frame alone
-/// does not bound what they unpack to.
-constexpr std::size_t max_lights = std::size_t{1} << 17, max_kinds = 4096, max_name = 256;
-
-template <class List>
-void check_list(const List* list, std::size_t limit, const char* what) {
-    if (list && list->size() > limit)
-        throw WireFault(fmt::format("a scene of {} {}", list->size(), what));
-}
-std::string name(const flatbuffers::String* s) {
-    if (s && s->size() > max_name)
-        throw WireFault(fmt::format("a name of {} characters", s->size()));
-    return text(s);
 }
 
 CameraDescription camera(const wire::Camera& from) {
@@ -114,67 +86,6 @@ SceneDescription scene(const wire::Scene& from) {
     to.textures = counts(from.textures());
     to.objects = counts(from.objects());
     to.background = vec3(from.background());
-    return to;
-}
-
-Geometry::Polygon polygon(const wire::Polygon& from, std::uint32_t first_ring) {
-    const auto has = [flags = from.flags()](wire::PolygonFlags flag) {
-        return (flags & flag) != wire::PolygonFlags::NONE;
-    };
-    Geometry::Polygon to;
-    to.first_ring = first_ring;
-    to.rings = from.rings();
-    to.convex = has(wire::PolygonFlags::convex);
-    to.face.surface = from.surface();
-    to.face.material = from.material();
-    to.face.smooth = from.smooth();
-    to.face.transparent = has(wire::PolygonFlags::transparent);
-    to.face.casts_shadow = !has(wire::PolygonFlags::no_shadow);
-    to.face.visible = !has(wire::PolygonFlags::no_image);
-    to.face.reflected = !has(wire::PolygonFlags::no_reflection);
-    to.face.lit_from_behind = has(wire::PolygonFlags::double_illuminate);
-    to.face.mirror = from.mirror() > 0 ? std::min(from.mirror(), 1.f) : 0;  // not if NaN
-    return to;
-}
-
-/// Takes `count` more of `total` things; throws if there are not that many left.
-std::uint32_t take(std::uint32_t& taken, std::uint32_t count, std::size_t total, const char* what) {
-    if (count > total - taken)
-        throw WireFault(fmt::format("geometry of {} {} that uses more of them", total, what));
-    return std::exchange(taken, taken + count);
-}
-
-report::GeometryChunk geometry(const wire::Geometry& from) {
-    report::GeometryChunk to;
-    to.last = from.last();
-    Geometry& part = to.part;
-    if (from.points() && from.points()->size() > 0) {
-        // In a damaged buffer they may lie at any address, which the verifier does not look at.
-        static_assert(sizeof(glm::dvec3) == sizeof(wire::Vec3d));
-        part.points.resize(from.points()->size());
-        std::memcpy(part.points.data(), from.points()->Data(),
-                    part.points.size() * sizeof(glm::dvec3));
-    }
-    if (from.corners()) part.corners.assign(from.corners()->begin(), from.corners()->end());
-    for (const std::uint32_t corner : part.corners)
-        if (corner >= part.points.size())
-            throw WireFault(
-                fmt::format("geometry with point {} of {}", corner, part.points.size()));
-    std::uint32_t corners_taken = 0, rings_taken = 0;
-    if (from.rings())
-        for (const std::uint32_t count : *from.rings())
-            part.rings.push_back(
-                {take(corners_taken, count, part.corners.size(), "corners"), count});
-    if (from.polygons())
-        for (const wire::Polygon* p : *from.polygons())
-            part.polygons.push_back(
-                polygon(*p, take(rings_taken, p->rings(), part.rings.size(), "rings")));
-    if (corners_taken != part.corners.size() || rings_taken != part.rings.size())
-        throw WireFault("geometry with corners or rings that belong to nothing");
-    check_list(from.left_out(), max_kinds, "kinds left out");
-    if (from.left_out())
-        for (const wire::LeftOut* l : *from.left_out())
-            part.left_out.push_back({name(l->kind()), name(l->reason()), l->count()});
     return to;
 }
 
@@ -339,7 +250,9 @@ Report decode_report(std::span<const std::byte> frame) {
         case wire::Report::Answer:
             return report::Answer(*root->report_as_Answer());
         case wire::Report::Geometry:
-            return geometry(*root->report_as_Geometry());
+            return decode_geometry(*root->report_as_Geometry());
+        case wire::Report::Texels:
+            return decode_texels(*root->report_as_Texels());
         case wire::Report::Failure: {
             const auto* from = root->report_as_Failure();
             return report::Failure{text(from->message()), text(from->file()), from->line()};

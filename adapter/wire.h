@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -28,12 +29,15 @@ struct Answer;  // the generated table
 }
 
 /// Version of the schema; both ends must have the same.
-constexpr std::uint32_t wire_version = 2;
+constexpr std::uint32_t wire_version = 3;
 /// A frame's flatbuffer is at most this long, bytes. Room for 2^17 samples with all their parts, or
 /// for a scene of 10^5 lights.
 constexpr std::size_t wire_max_frame = std::size_t{16} << 20;
 /// Samples in one batch at most: one Trace order is then about 1 MiB.
 constexpr std::uint32_t wire_max_batch = 1u << 16;
+
+/// Texels of all images of a scene at most.
+constexpr std::uint32_t wire_max_texels = 8'000'000;
 
 /// The tracer broke the protocol; the text says how, as the end of "the tracer sent ...".
 class WireFault : public std::runtime_error {
@@ -110,17 +114,25 @@ class Answer {
     std::vector<bool> failed_;  ///< empty, or by offset
 };
 
-/// Part of the scene's polygons. Indices are in range and counts agree; coordinates may be
-/// anything.
+/// Part of what can be drawn of the scene. Indices are in range and counts agree, but those of
+/// looks and images, which may be in other parts; conditions run on a stack as deep as allowed and
+/// leave one value; coordinates may be anything.
 struct GeometryChunk {
     Geometry part;
     bool last = false;
 };
 
+/// Texels of an image, from the first on, in its rows; which images there are and how large they
+/// are, the geometry says.
+struct Texels {
+    std::uint32_t image = 0, first = 0;
+    std::vector<std::array<std::uint16_t, 4>> texels;
+};
+
 }  // namespace report
 
 using Report = std::variant<report::Hello, report::Progress, report::Failure, report::Answer,
-                            report::GeometryChunk, SceneDescription>;
+                            report::GeometryChunk, report::Texels, SceneDescription>;
 
 /// Decodes one frame. Throws WireFault on anything but a well-formed report. REQUIRES: `frame`
 /// starts at an address that is a multiple of 8, as FrameReader's do.

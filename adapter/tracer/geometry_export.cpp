@@ -2,6 +2,9 @@
 #include "backend/oracle/geometry_export.h"
 
 #include <algorithm>
+#include <cmath>
+#include <string_view>
+#include <utility>
 
 // The order of POV-Ray's headers matters: frame.h first, povdebug.h last.
 // clang-format off
@@ -28,10 +31,36 @@ const std::vector<pov::ObjectPtr>& children(const pov::ObjectBase& object) {
     return static_cast<const pov::CompoundObject&>(object).children;
 }
 
+bool is_union(const pov::ObjectBase& object) {
+    return is_a<pov::CSGUnion>(object) && !is_a<pov::CSGMerge>(object);
+}
+
 /// A union shows what its parts show.
 bool is_sum_of_parts(const pov::ObjectBase& object) {
-    return is_a<pov::CSGUnion>(object) && !is_a<pov::CSGMerge>(object) && object.Clip.empty() &&
-           object.Bound.empty();
+    return is_union(object) && object.Clip.empty() && object.Bound.empty();
+}
+
+/// POV-Ray's box around an object: no ray that misses it sees the object.
+BoxFacts box_of(const pov::ObjectBase& object) {
+    const auto side = [&object](int i) {
+        const double low = object.BBox.Lower_Left[i], size = object.BBox.Lengths[i],
+                     high = low + size;
+        // It is kept in single precision.
+        const double slack = 1e-6 * (std::fabs(low) + std::fabs(high));
+        constexpr double far = 0.1 * BOUND_HUGE, infinity = HUGE_VAL;
+        return std::pair(low > -far ? low - slack : -infinity,
+                         high < far ? high + slack : infinity);
+    };
+    const auto [low_x, high_x] = side(0);
+    const auto [low_y, high_y] = side(1);
+    const auto [low_z, high_z] = side(2);
+    return {{low_x, low_y, low_z}, {high_x, high_y, high_z}};
+}
+
+BoxFacts common_box(const BoxFacts& a, const BoxFacts& b) {
+    return {
+        {std::max(a.low.x, b.low.x), std::max(a.low.y, b.low.y), std::max(a.low.z, b.low.z)},
+        {std::min(a.high.x, b.high.x), std::min(a.high.y, b.high.y), std::min(a.high.z, b.high.z)}};
 }
 
 bool stands_alone(const pov::ObjectBase& object) {
@@ -49,51 +78,83 @@ bool too_long(const ObjectFaces& faces, const ObjectFaces::Face& face) {
 }  // namespace
 
 void GeometryExport::run(const std::vector<pov::ObjectPtr>& objects) {
-    // A stack of our own: unions nest as deep as people like.
-    std::vector<const pov::ObjectBase*> waiting(objects.rbegin(), objects.rend());
-    while (!waiting.empty()) {
-        const pov::ObjectBase* object = waiting.back();
-        waiting.pop_back();
+    for (auto object = objects.rbegin(); object != objects.rend(); ++object)
+        waiting_.push_back({*object, {}, everything});
+    while (!waiting_.empty()) {
+        const Waiting next = std::move(waiting_.back());
+        waiting_.pop_back();
         around_.pause();
-        if (object == nullptr) continue;
-        if (is_sum_of_parts(*object))
-            waiting.insert(waiting.end(), children(*object).rbegin(), children(*object).rend());
+        if (next.object == nullptr) continue;
+        if (is_a<pov::LightSource>(*next.object))
+            add_light(next);
+        else if (next.clips.empty() && is_sum_of_parts(*next.object))
+            split(next, next.box, false);
         else
-            add(*object);
+            add(next);
     }
     writer_.finish();
 }
 
-void GeometryExport::add(const pov::ObjectBase& object) {
-    if (is_a<pov::LightSource>(object)) {
-        if (!children(object).empty()) writer_.leave_out("light_source", "looks like something");
-    } else if (stands_alone(object)) {
-        add_primitive(object);
-    } else {
-        add_compound(object);
+void GeometryExport::add_light(const Waiting& light) {
+    for (const pov::ObjectPtr looks_like : children(*light.object)) {
+        writer_.leave_out({"light_source", "looks like something", false});
+        if (!Test_Flag(light.object, NO_IMAGE_FLAG))
+            writer_.add_unknown(common_box(light.box, box_of(*looks_like)));
     }
 }
 
-void GeometryExport::add_primitive(const pov::ObjectBase& object) {
+void GeometryExport::split(const Waiting& part, const BoxFacts& box, bool clipped) {
+    CurvedPieces::Clips clips = part.clips;
+    if (clipped) clips.insert(clips.end(), part.object->Clip.begin(), part.object->Clip.end());
+    const std::vector<pov::ObjectPtr>& parts = children(*part.object);
+    for (auto object = parts.rbegin(); object != parts.rend(); ++object)
+        waiting_.push_back({*object, clips, box});
+}
+
+/// As polygons, or else in pieces, or else as unknown.
+void GeometryExport::add(const Waiting& part) {
+    const pov::ObjectBase& object = *part.object;
+    const char* reason = !part.clips.empty()    ? "clipped"
+                         : stands_alone(object) ? add_primitive(object)
+                                                : add_compound(object);
+    if (reason == nullptr) return;
+    const BoxFacts box = common_box(part.box, box_of(object));
+    // A bound that hides some of what it bounds does so depending on where the ray comes from.
+    const bool hides = std::string_view(reason).rfind("bounded", 0) == 0;
+    if (is_union(object) && !hides) {
+        split(part, box, true);
+        return;
+    }
+    const bool seen = !Test_Flag(&object, NO_IMAGE_FLAG);
+    bool drawn = false;
+    if (seen && !hides) {
+        const char* other_reason = add_pieces(part, box);
+        drawn = other_reason == nullptr;
+        if (!drawn && std::string_view(other_reason) != no_closed_form) reason = other_reason;
+    }
+    if (seen && !drawn) writer_.add_unknown(box);
+    writer_.leave_out({object_kind(object), reason, drawn});
+}
+
+const char* GeometryExport::add_primitive(const pov::ObjectBase& object) {
     ObjectFaces faces;
-    if (const char* reason = faces_of(object, limits(object), faces)) {
-        writer_.leave_out(object_kind(object), reason);
-        return;
-    }
+    if (const char* reason = faces_of(object, limits(object), faces)) return reason;
     writer_.begin(faces);
+    bool whole = true;
     for (const ObjectFaces::Face& face : faces.faces)
-        if (too_long(faces, face))
-            writer_.leave_out(object_kind(object), "too many corners");
-        else
+        if (too_long(faces, face)) {
+            writer_.leave_out({object_kind(object), "too many corners", false});
+            whole = false;
+        } else {
             writer_.add(face, facts(object, object, face));
+        }
+    if (!whole) writer_.add_unknown(box_of(object));
+    return nullptr;
 }
 
-void GeometryExport::add_compound(const pov::ObjectBase& object) {
+const char* GeometryExport::add_compound(const pov::ObjectBase& object) {
     CompoundFaces compound(limits(object), around_.inside);
-    if (const char* reason = compound.build(object)) {
-        writer_.leave_out(object_kind(object), reason);
-        return;
-    }
+    if (const char* reason = compound.build(object)) return reason;
     // Pieces come leaf by leaf, and face by face.
     const SolidPiece* last = nullptr;
     for (const SolidPiece& piece : compound.pieces()) {
@@ -108,6 +169,23 @@ void GeometryExport::add_compound(const pov::ObjectBase& object) {
         else if (!again)
             writer_.add(face, polygon);
     }
+    return nullptr;
+}
+
+const char* GeometryExport::add_pieces(const Waiting& part, const BoxFacts& box) {
+    CurvedPieces curved;
+    if (const char* reason = curved.build(*part.object, part.clips)) return reason;
+    if (curved.pieces().size() > max_pieces - std::min(max_pieces, writer_.pieces()))
+        return "too many pieces";
+    std::vector<PieceFacts> pieces;
+    for (const CurvedPieces::Piece& piece : curved.pieces()) {
+        PieceFacts facts;
+        facts.surface = around_.surfaces.identity(*piece.object, piece.number);
+        facts.material = looks_.of(*piece.object, nullptr).material;
+        pieces.push_back(facts);
+    }
+    writer_.add(curved, pieces, box);
+    return nullptr;
 }
 
 PolygonFacts GeometryExport::facts(const pov::ObjectBase& object, const pov::ObjectBase& flagged,

@@ -10,12 +10,13 @@
 
 namespace povpreview::tracer {
 
-/// Sends the polygonal part of a scene: the faces of its objects in world space, and of the rest
-/// how many of which kind were left out and why. Only reads the scene.
+/// Sends what can be drawn of a scene without tracing, in world space: the faces of its polygonal
+/// objects, those curved ones that have closed forms in pieces, and of the rest boxes around them.
+/// Only reads the scene.
 class GeometryExport {
    public:
     /// Polygons in all; objects that would exceed it are left out.
-    static constexpr std::size_t max_polygons = 400000;
+    static constexpr std::size_t max_polygons = 400000, max_pieces = 400000;
 
     struct Surroundings {
         const SurfaceIndex& surfaces;
@@ -31,14 +32,24 @@ class GeometryExport {
     void run(const std::vector<pov::ObjectPtr>& objects);
 
    private:
-    void add(const pov::ObjectBase& object);
-    void add_primitive(const pov::ObjectBase& object);
-    void add_compound(const pov::ObjectBase& object);
+    /// An object that is still to be added, and what it is part of says of it.
+    struct Waiting {
+        const pov::ObjectBase* object;
+        CurvedPieces::Clips clips;
+        BoxFacts box;
+    };
+    void add(const Waiting& part);
+    void add_light(const Waiting& light);
+    const char* add_primitive(const pov::ObjectBase& object);
+    const char* add_compound(const pov::ObjectBase& object);
+    const char* add_pieces(const Waiting& part, const BoxFacts& box);
+    void split(const Waiting& part, const BoxFacts& box, bool clipped);
     PolygonFacts facts(const pov::ObjectBase& object, const pov::ObjectBase& flagged,
                        const ObjectFaces::Face& face);
     FaceLimits limits(const pov::ObjectBase& object) const;
 
     Surroundings around_;
+    std::vector<Waiting> waiting_;  ///< a stack: unions nest as deep as people like
     GeometryWriter writer_;
     SurfaceLooks looks_;
 };

@@ -39,7 +39,8 @@ void GeometryTask::Run() {
             .run(GetSceneData()->objects);
     } catch (std::exception&) {
         GeometryChunk end;
-        end.left_out[{"the rest", "out of memory or broken"}] = 1;
+        end.left_out[{"the rest", "out of memory or broken", false}] = 1;
+        end.unknown.push_back(everything);
         end.last = true;
         send(end);
     }

@@ -27,6 +27,7 @@ void GeometryWriter::add(const ObjectFaces::Face& face, PolygonFacts facts) {
             }
             chunk_.corners.push_back(index_of_[point] - 1);
         }
+        add_uvs(ring);
     }
     add_polygon(facts);
 }
@@ -48,12 +49,38 @@ void GeometryWriter::add_polygon(const PolygonFacts& facts) {
     ++polygons_;
 }
 
-void GeometryWriter::leave_out(const std::string& kind, const std::string& reason) {
-    ++chunk_.left_out[{kind, reason}];
+/// Corners without coordinates of their own have zeros where others have some.
+void GeometryWriter::add_uvs(const ObjectFaces::Ring& ring) {
+    if (object_->uvs.empty()) return;
+    chunk_.corner_uvs.resize(chunk_.corners.size() - ring.count);
+    const auto first = object_->uvs.begin() + ring.first;
+    chunk_.corner_uvs.insert(chunk_.corner_uvs.end(), first, first + ring.count);
+}
+
+void GeometryWriter::add(const CurvedPieces& object, const std::vector<PieceFacts>& facts,
+                         const BoxFacts& bounds) {
+    send_if_full();
+    const auto first_solid = static_cast<std::uint32_t>(chunk_.solids.size());
+    chunk_.solids.insert(chunk_.solids.end(), object.solids().begin(), object.solids().end());
+    for (std::size_t i = 0; i < object.pieces().size(); ++i) {
+        const CurvedPieces::Piece& piece = object.pieces()[i];
+        for (const std::int32_t step : piece.where.steps())
+            chunk_.steps.push_back(step < 0 ? step : step + static_cast<std::int32_t>(first_solid));
+        PieceFacts complete = facts[i];
+        complete.solid = first_solid + piece.solid;
+        complete.steps = static_cast<std::uint32_t>(piece.where.steps().size());
+        chunk_.pieces.push_back(complete);
+    }
+    pieces_ += object.pieces().size();
+    chunk_.objects.push_back({bounds, static_cast<std::uint32_t>(object.pieces().size())});
 }
 
 void GeometryWriter::send_if_full() {
-    if (chunk_.points.size() < chunk_size && chunk_.corners.size() < chunk_size) return;
+    if (chunk_.points.size() < chunk_size && chunk_.corners.size() < chunk_size &&
+        chunk_.solids.size() < chunk_solids && chunk_.steps.size() < 4 * chunk_size &&
+        chunk_.pieces.size() < chunk_size && chunk_.unknown.size() < chunk_size)
+        return;
+    if (!chunk_.corner_uvs.empty()) chunk_.corner_uvs.resize(chunk_.corners.size());
     const auto left_out = std::exchange(chunk_.left_out, {});  // goes with the last chunk
     send_(chunk_);
     chunk_ = {};
@@ -63,6 +90,7 @@ void GeometryWriter::send_if_full() {
 }
 
 void GeometryWriter::finish() {
+    if (!chunk_.corner_uvs.empty()) chunk_.corner_uvs.resize(chunk_.corners.size());
     chunk_.last = true;
     send_(chunk_);
 }

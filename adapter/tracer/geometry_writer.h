@@ -3,13 +3,14 @@
 
 #include <functional>
 
+#include "backend/oracle/curved_pieces.h"
 #include "backend/oracle/geometry_facts.h"
 #include "backend/oracle/object_faces.h"
 
 namespace povpreview::tracer {
 
-/// Collects polygons into chunks, each small enough not to delay the answers that are sent between
-/// them, and hands on those that are full.
+/// Collects what can be drawn into chunks, each small enough not to delay the answers that are sent
+/// between them, and hands on those that are full.
 class GeometryWriter {
    public:
     /// A polygon of more corners is not sent.
@@ -24,25 +25,35 @@ class GeometryWriter {
     void add(const ObjectFaces::Face& face, PolygonFacts facts);
     /// A convex polygon.
     void add(const ConvexPolygon& polygon, PolygonFacts facts);
-    void leave_out(const std::string& kind, const std::string& reason);
+    /// An object in pieces; `facts`, one a piece, lack what the pieces themselves say.
+    void add(const CurvedPieces& object, const std::vector<PieceFacts>& facts,
+             const BoxFacts& bounds);
+    void add(const LookFacts& look) { chunk_.looks.push_back(look); }
+    /// There is something in the box of which nothing more is known.
+    void add_unknown(const BoxFacts& box) { chunk_.unknown.push_back(box); }
+    void leave_out(const LeftOutFacts& object) { ++chunk_.left_out[object]; }
     /// Sends what is left.
     void finish();
 
     std::size_t polygons() const { return polygons_; }
+    std::size_t pieces() const { return pieces_; }
 
    private:
-    /// Of points or corners in a chunk; about half a megabyte.
+    /// Of points, corners or whatever there is most of in a chunk; about half a megabyte.
     static constexpr std::size_t chunk_size = 16384;
+    /// Of solids, which are larger.
+    static constexpr std::size_t chunk_solids = 4096;
 
     void send_if_full();
     void add_polygon(const PolygonFacts& facts);
+    void add_uvs(const ObjectFaces::Ring& ring);
 
     std::function<void(const GeometryChunk&)> send_;
     GeometryChunk chunk_;
     const ObjectFaces* object_ = nullptr;
     std::vector<std::uint32_t> index_of_;  ///< in the chunk, by point of the object; plus 1, or 0
     std::vector<std::uint32_t> indexed_;   ///< points of the object that have an index
-    std::size_t polygons_ = 0;
+    std::size_t polygons_ = 0, pieces_ = 0;
 };
 
 }  // namespace povpreview::tracer

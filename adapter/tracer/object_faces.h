@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -27,7 +28,8 @@ struct ObjectFaces {
         std::uint32_t first = 0, count = 0;  ///< in `corners`
     };
     std::vector<Point> points;
-    std::vector<std::uint32_t> corners;  ///< indices into `points`
+    std::vector<std::uint32_t> corners;     ///< indices into `points`
+    std::vector<std::array<float, 2>> uvs;  ///< none, or one a corner
     std::vector<Ring> rings;
     std::vector<Face> faces;
 

@@ -57,6 +57,8 @@ void WireEnd::send_answer(const Slice& slice, const std::vector<Sample>& samples
 
 void WireEnd::send_geometry(const GeometryChunk& chunk) { send(geometry_frame(chunk)); }
 
+void WireEnd::send_texels(const TexelChunk& chunk) { send(texels_frame(chunk)); }
+
 bool WireEnd::is_busy() {
     const std::lock_guard lock(mutex_);
     return !frames_.empty() || writing_;

@@ -28,7 +28,7 @@ enum class Stage : std::uint8_t { parsing, bounding, photons, radiosity, ready }
 /// that it has is worth saving.
 class WireEnd {
    public:
-    static constexpr std::uint32_t version = 2;
+    static constexpr std::uint32_t version = 3;
     static constexpr std::size_t max_frame = 16u << 20;
     static constexpr std::size_t max_positions = std::size_t{1} << 20;
     /// How often progress is reported while the previewer waits for the scene.
@@ -44,6 +44,7 @@ class WireEnd {
     void send_scene(const SceneFacts& scene);
     void send_answer(const Slice& slice, const std::vector<Sample>& samples);
     void send_geometry(const GeometryChunk& chunk);
+    void send_texels(const TexelChunk& chunk);
     /// Whether something waits to be sent.
     bool is_busy();
     /// The last word: returns when it is written, or when the previewer does not read.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "backend/oracle/wire_messages.h"
 
-#include "backend/oracle/wire_generated.h"
+#include "backend/oracle/wire_frame.h"
 
 namespace povpreview::tracer {
 
@@ -9,23 +9,9 @@ namespace {
 
 using flatbuffers::FlatBufferBuilder;
 using flatbuffers::Offset;
-using Frame = std::vector<std::uint8_t>;
-
-template <typename Message>
-Frame finish(FlatBufferBuilder& builder, wire::Report kind, Offset<Message> message) {
-    builder.Finish(wire::CreateToPreviewer(builder, kind, message.Union()), "PVPR");
-    // Not FinishSizePrefixed: that aligns the buffer as if it were read together with its size.
-    const std::uint32_t size = builder.GetSize();
-    Frame frame;
-    frame.reserve(size + 4);
-    for (int shift = 0; shift < 32; shift += 8)
-        frame.push_back(static_cast<std::uint8_t>(size >> shift));
-    frame.insert(frame.end(), builder.GetBufferPointer(), builder.GetBufferPointer() + size);
-    return frame;
-}
+using Frame = WireFrame;
 
 wire::Vec3f vec3f(const Rgb& c) { return {c.r, c.g, c.b}; }
-wire::Vec3d vec3d(const Point& p) { return {p.x, p.y, p.z}; }
 
 std::vector<Offset<wire::Count>> counts(FlatBufferBuilder& builder,
                                         const std::map<std::string, unsigned>& by_kind) {
@@ -53,21 +39,6 @@ Offset<wire::LightSource> light(FlatBufferBuilder& builder, const LightFacts& fa
                                    facts.in_group);
 }
 
-wire::Polygon polygon(const PolygonFacts& facts) {
-    unsigned flags = 0;
-    const auto flag = [&flags](bool set, wire::PolygonFlags which) {
-        if (set) flags |= which;
-    };
-    flag(facts.transparent, wire::PolygonFlags_transparent);
-    flag(facts.no_shadow, wire::PolygonFlags_no_shadow);
-    flag(facts.no_image, wire::PolygonFlags_no_image);
-    flag(facts.no_reflection, wire::PolygonFlags_no_reflection);
-    flag(facts.double_illuminate, wire::PolygonFlags_double_illuminate);
-    flag(facts.convex, wire::PolygonFlags_convex);
-    return {facts.surface, facts.material, facts.smooth,
-            facts.mirror,  facts.rings,    static_cast<wire::PolygonFlags>(flags)};
-}
-
 /// A vector of the wire made of one part of each sample; absent if not wanted.
 template <typename Part, typename Make>
 Offset<flatbuffers::Vector<const Part*>> parts(FlatBufferBuilder& builder, bool wanted,
@@ -83,14 +54,14 @@ Offset<flatbuffers::Vector<const Part*>> parts(FlatBufferBuilder& builder, bool 
 
 Frame hello_frame(std::uint32_t version, const std::string& povray, unsigned threads) {
     FlatBufferBuilder builder;
-    return finish(builder, wire::Report_Hello,
-                  wire::CreateHelloDirect(builder, version, povray.c_str(), threads));
+    return wire_frame(builder, wire::Report_Hello,
+                      wire::CreateHelloDirect(builder, version, povray.c_str(), threads));
 }
 
 Frame progress_frame(std::uint8_t stage, std::uint64_t done, std::uint64_t total) {
     FlatBufferBuilder builder;
-    return finish(builder, wire::Report_Progress,
-                  wire::CreateProgress(builder, static_cast<wire::Stage>(stage), done, total));
+    return wire_frame(builder, wire::Report_Progress,
+                      wire::CreateProgress(builder, static_cast<wire::Stage>(stage), done, total));
 }
 
 Frame scene_frame(const SceneFacts& scene) {
@@ -106,30 +77,7 @@ Frame scene_frame(const SceneFacts& scene) {
         wire::CreateScene(builder, scene.width, scene.height, scene.working_gamma, scene.antialias,
                           camera(builder, scene.camera), builder.CreateVector(lights), features,
                           textures, objects, &background);
-    return finish(builder, wire::Report_Scene, message);
-}
-
-Frame geometry_frame(const GeometryChunk& chunk) {
-    FlatBufferBuilder builder(24 * (chunk.points.size() + chunk.polygons.size()) +
-                              4 * (chunk.corners.size() + chunk.rings.size()) + 1024);
-    wire::Vec3d* point = nullptr;
-    const auto points =
-        builder.CreateUninitializedVectorOfStructs<wire::Vec3d>(chunk.points.size(), &point);
-    for (const Point& p : chunk.points) *point++ = vec3d(p);
-    const auto corners = builder.CreateVector(chunk.corners);
-    const auto rings = builder.CreateVector(chunk.rings);
-    wire::Polygon* to = nullptr;
-    const auto polygons =
-        builder.CreateUninitializedVectorOfStructs<wire::Polygon>(chunk.polygons.size(), &to);
-    for (const PolygonFacts& facts : chunk.polygons) *to++ = polygon(facts);
-    std::vector<Offset<wire::LeftOut>> left_out;
-    for (const auto& [what, count] : chunk.left_out)
-        left_out.push_back(
-            wire::CreateLeftOutDirect(builder, what.first.c_str(), what.second.c_str(), count));
-    const auto left_out_vector = builder.CreateVector(left_out);
-    return finish(builder, wire::Report_Geometry,
-                  wire::CreateGeometry(builder, points, corners, rings, polygons, left_out_vector,
-                                       chunk.last));
+    return wire_frame(builder, wire::Report_Scene, message);
 }
 
 Frame answer_frame(const Slice& slice, const std::vector<Sample>& samples) {
@@ -162,13 +110,13 @@ Frame answer_frame(const Slice& slice, const std::vector<Sample>& samples) {
         wire::CreateAnswer(builder, slice.batch->number, static_cast<std::uint32_t>(slice.first),
                            static_cast<std::uint32_t>(slice.count), light, surface, shading,
                            signature, cost_vector, failed_vector);
-    return finish(builder, wire::Report_Answer, message);
+    return wire_frame(builder, wire::Report_Answer, message);
 }
 
 Frame failure_frame(const std::string& message, const std::string& file, unsigned line) {
     FlatBufferBuilder builder;
-    return finish(builder, wire::Report_Failure,
-                  wire::CreateFailureDirect(builder, message.c_str(), file.c_str(), line));
+    return wire_frame(builder, wire::Report_Failure,
+                      wire::CreateFailureDirect(builder, message.c_str(), file.c_str(), line));
 }
 
 std::shared_ptr<Batch> read_trace(const Frame& content, std::size_t max_positions,

@@ -123,7 +123,8 @@ Bytes geometry_frame(const Geometry& geometry, bool last) {
     Builder b;
     std::vector<flatbuffers::Offset<wire::LeftOut>> left_out;
     for (const Geometry::LeftOut& l : geometry.left_out)
-        left_out.push_back(wire::CreateLeftOutDirect(b, l.kind.c_str(), l.reason.c_str(), l.count));
+        left_out.push_back(wire::CreateLeftOutDirect(b, l.kind.c_str(), l.reason.c_str(), l.count,
+                                                     l.drawn));
     return frame(b, wire::Report::Geometry,
                  wire::CreateGeometryDirect(b, &points, &geometry.corners, &rings, &polygons,
                                             &left_out, last)

@@ -12,11 +12,6 @@
 #include "core/error.h"
 
 namespace povpreview {
-namespace {
-
-struct Ray {
-    glm::dvec3 origin, direction;  ///< direction of length 1
-};
 
 /// The two planes (px w - x = 0, py w - y = 0) that meet in the ray of a position.
 Ray ray_through(const StraightCamera& camera, const glm::dvec2& position) {
@@ -32,6 +27,8 @@ Ray ray_through(const StraightCamera& camera, const glm::dvec2& position) {
         glm::transpose(glm::dmat3(glm::dvec3(a), glm::dvec3(b), glm::dvec3(camera.depth)));
     return {glm::inverse(planes) * -glm::dvec3(a.w, b.w, camera.depth.w), direction};
 }
+
+namespace {
 
 std::vector<glm::dvec3> corners_of(const PolygonScene& scene, const Face& face) {
     std::vector<glm::dvec3> corners;
@@ -62,14 +59,14 @@ double hit(const Ray& ray, const std::vector<glm::dvec3>& corners, const glm::dv
     return left && right ? -1 : depth;
 }
 
-struct Bounds {
+struct ImageBounds {
     glm::dvec2 low{0}, high{0};
 };
 
 /// Of the image of a face; all of the image if the face reaches behind the eye.
-Bounds bounds_of(const PolygonScene& scene, const std::vector<glm::dvec3>& corners) {
-    Bounds all{{0, 0}, {scene.width, scene.height}};
-    Bounds result{all.high, all.low};
+ImageBounds bounds_of(const PolygonScene& scene, const std::vector<glm::dvec3>& corners) {
+    ImageBounds all{{0, 0}, {scene.width, scene.height}};
+    ImageBounds result{all.high, all.low};
     bool before = false, behind = false;
     for (const glm::dvec3& corner : corners) {
         const glm::dvec3 p = scene.camera.to_pixels * glm::dvec4(corner, 1);
@@ -101,10 +98,6 @@ double distance_to_outline(const PolygonScene& scene, const std::vector<glm::dve
     }
     return nearest;
 }
-/// Pixels; see GeometryAgreement::at_edges.
-constexpr double hair = .01;
-/// Between them POV-Ray looks for hits: its MIN_ISECT_DEPTH and MAX_DISTANCE, amply.
-constexpr double too_near = 1e-3, too_far = 9.9e6;
 
 /// What faces were found along the ray of a probe, or within a hair of it.
 struct Found {
@@ -123,7 +116,7 @@ class PixelBins {
             bins_[bin(int(probes[i].position.x), int(probes[i].position.y))].push_back(i);
     }
     template <class See>
-    void for_each_in(const Bounds& bounds, See see) const {
+    void for_each_in(const ImageBounds& bounds, See see) const {
         const int y_end = std::min(height_ - 1, int(std::min(bounds.high.y + 1, 1e6))),
                   x_end = std::min(width_ - 1, int(std::min(bounds.high.x + 1, 1e6)));
         for (int y = int(std::max(0., bounds.low.y - 1)); y <= y_end; ++y)
@@ -182,6 +175,31 @@ void see_face(const PolygonScene& scene, const Face& face, std::span<const Sampl
 }
 
 }  // namespace
+
+std::vector<NearestFace> nearest_faces(const PolygonScene& scene,
+                                       std::span<const glm::dvec2> positions) {
+    std::vector<Ray> rays;
+    std::vector<Sample> at;
+    for (const glm::dvec2& position : positions) {
+        rays.push_back(ray_through(scene.camera, position));
+        at.push_back({.position = position});
+    }
+    const PixelBins bins(scene, at);
+    std::vector<NearestFace> nearest(positions.size());
+    for (const Face& face : scene.faces) {
+        if (!face.visible || face.count < 3) continue;
+        const std::vector<glm::dvec3> corners = corners_of(scene, face);
+        const glm::dvec3 area = area_of(corners);
+        if (!(glm::length(area) > 0)) continue;
+        const glm::dvec3 normal = glm::normalize(area);
+        bins.for_each_in(bounds_of(scene, corners), [&](std::size_t i) {
+            const double depth = hit(rays[i], corners, normal);
+            if (depth < too_near || depth > too_far || depth >= nearest[i].depth) return;
+            nearest[i] = {face.surface, depth};
+        });
+    }
+    return nearest;
+}
 
 GeometryAgreement compare_geometry(const PolygonScene& scene, std::span<const Sample> probes) {
     std::vector<Ray> rays;

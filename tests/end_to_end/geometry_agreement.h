@@ -11,6 +11,26 @@
 
 namespace povpreview {
 
+struct Ray {
+    glm::dvec3 origin, direction;  ///< direction of length 1
+};
+/// The ray of a position in the image.
+Ray ray_through(const StraightCamera& camera, const glm::dvec2& position);
+
+/// What is nearest along a ray, from too_near on.
+struct NearestFace {
+    std::uint32_t surface = 0;  ///< 0: nothing
+    double depth = 1e30;
+};
+/// Of the faces that the eye sees, for each position.
+std::vector<NearestFace> nearest_faces(const PolygonScene& scene,
+                                       std::span<const glm::dvec2> positions);
+
+/// Between them POV-Ray looks for hits: its MIN_ISECT_DEPTH and MAX_DISTANCE, amply.
+constexpr double too_near = 1e-3, too_far = 9.9e6;
+/// Pixels; see GeometryAgreement::at_edges.
+constexpr double hair = .01;
+
 /// How exported faces and traced probes agree, probe by probe. A probe agrees with the faces if
 /// none of them lies before what it hit, and if it hit a surface of which there are faces, then one
 /// with that identity lies at that depth.

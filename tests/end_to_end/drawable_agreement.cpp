@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "tests/end_to_end/drawable_agreement.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+
+namespace povpreview {
+namespace {
+
+/// Coefficients from the constant on.
+using Polynomial = std::vector<double>;
+
+Polynomial operator+(Polynomial a, const Polynomial& b) {
+    a.resize(std::max(a.size(), b.size()));
+    for (std::size_t i = 0; i < b.size(); ++i) a[i] += b[i];
+    return a;
+}
+Polynomial operator*(const Polynomial& a, const Polynomial& b) {
+    Polynomial product(a.size() + b.size() - 1);
+    for (std::size_t i = 0; i < a.size(); ++i)
+        for (std::size_t j = 0; j < b.size(); ++j) product[i + j] += a[i] * b[j];
+    return product;
+}
+Polynomial operator*(double s, Polynomial p) {
+    for (double& c : p) c *= s;
+    return p;
+}
+double at(const Polynomial& p, double t) {
+    double value = 0;
+    for (std::size_t i = p.size(); i-- > 0;) value = value * t + p[i];
+    return value;
+}
+
+/// Roots between low and high where the sign changes: between the derivative's there is at most
+/// one.
+std::vector<double> roots(Polynomial p, double low, double high) {
+    while (p.size() > 1 && p.back() == 0) p.pop_back();
+    if (p.size() < 2) return {};
+    Polynomial derivative;
+    for (std::size_t i = 1; i < p.size(); ++i) derivative.push_back(static_cast<double>(i) * p[i]);
+    std::vector<double> ends = roots(derivative, low, high), result;
+    ends.insert(ends.begin(), low);
+    ends.push_back(high);
+    for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
+        double a = ends[i], b = ends[i + 1];
+        const bool rising = at(p, a) < 0;
+        if (rising == (at(p, b) < 0)) continue;
+        for (int step = 0; step < 200 && a < b; ++step) {
+            const double middle = a + (b - a) / 2;
+            if (middle == a || middle == b) break;
+            ((at(p, middle) < 0) == rising ? a : b) = middle;
+        }
+        result.push_back(b);
+    }
+    return result;
+}
+
+/// A polynomial with the sign of f along the ray p + t d in the solid's frame.
+Polynomial along(const Solid& solid, const glm::dvec3& p, const glm::dvec3& d) {
+    const Polynomial x{p.x, d.x}, y{p.y, d.y}, z{p.z, d.z};
+    const auto& c = solid.coefficients;
+    switch (solid.kind) {
+        case Solid::Kind::half_space:
+            return z;
+        case Solid::Kind::sphere:
+            return x * x + y * y + z * z + Polynomial{-1};
+        case Solid::Kind::cylinder:
+            return x * x + y * y + Polynomial{-1};
+        case Solid::Kind::cone:
+            return x * x + y * y + -1. * (z * z);
+        case Solid::Kind::quadric:
+            return c[0] * (x * x) + c[1] * (y * y) + c[2] * (z * z) + c[3] * (x * y) +
+                   c[4] * (x * z) + c[5] * (y * z) + c[6] * x + c[7] * y + c[8] * z +
+                   Polynomial{c[9]};
+        case Solid::Kind::torus: {
+            const Polynomial ring = x * x + z * z, sum = ring + y * y + Polynomial{1 - c[0] * c[0]};
+            return sum * sum + -4. * ring;
+        }
+    }
+    return {};
+}
+
+/// Where the ray is inside of a box; empty if low > high.
+struct Stretch {
+    double low = 0, high = too_far;
+};
+Stretch inside_box(const Bounds& box, const Ray& ray) {
+    Stretch stretch;
+    for (int i = 0; i < 3; ++i) {
+        double a = (box.low[i] - ray.origin[i]) / ray.direction[i],
+               b = (box.high[i] - ray.origin[i]) / ray.direction[i];
+        if (ray.direction[i] == 0) {
+            if (ray.origin[i] >= box.low[i] && ray.origin[i] <= box.high[i]) continue;
+            return {1, 0};
+        }
+        if (a > b) std::swap(a, b);
+        stretch.low = std::max(stretch.low, a);
+        stretch.high = std::min(stretch.high, b);
+    }
+    return stretch;
+}
+
+/// What the scene says of a ray.
+struct Said {
+    std::uint32_t surface = 0;
+    double depth = 1e30;
+    bool curved = false;
+    double unknown_from = 1e30;
+    std::vector<std::pair<double, std::uint32_t>> hits;  ///< the nearest of the face and each piece
+};
+
+Said say(const DrawableScene& scene, const Ray& ray, const NearestFace& face) {
+    Said said{face.surface, face.depth, false, 1e30, {{face.depth, face.surface}}};
+    for (const Bounds& box : scene.unknown) {
+        const Stretch stretch = inside_box(box, ray);
+        if (stretch.low <= stretch.high)
+            said.unknown_from = std::min(said.unknown_from, stretch.low);
+    }
+    for (const CurvedObject& object : scene.objects) {
+        const Stretch stretch = inside_box(object.bounds, ray);
+        if (stretch.low > stretch.high || stretch.low > said.depth) continue;
+        const double slack = 1e-9 * (1 + stretch.high);
+        for (std::uint32_t i = 0; i < object.pieces; ++i) {
+            const CurvedPiece& piece = scene.pieces[object.first_piece + i];
+            for (const double depth : crossings(scene.solids[piece.solid], ray)) {
+                if (depth < std::max(too_near, stretch.low - slack)) continue;
+                if (depth > stretch.high + slack) break;
+                if (!holds(scene, piece, ray.origin + depth * ray.direction)) continue;
+                said.hits.push_back({depth, piece.surface});
+                if (depth < said.depth) {
+                    said.surface = piece.surface;
+                    said.depth = depth;
+                    said.curved = true;
+                }
+                break;
+            }
+        }
+    }
+    return said;
+}
+
+/// Probes have depths in single precision; a position this near to an outline is judged apart.
+bool same(const Sample& probe, std::uint32_t surface, double depth) {
+    if (probe.surface != surface) return false;
+    return surface == 0 || std::fabs(depth - probe.depth) <= 1e-4 * (1 + depth);
+}
+
+bool is_tied(const Sample& probe, const Said& said) {
+    return std::any_of(said.hits.begin(), said.hits.end(), [&](const auto& hit) {
+        return hit.second == probe.surface && hit.first <= said.depth + 1e-7 * (1 + said.depth);
+    });
+}
+
+}  // namespace
+
+std::vector<double> crossings(const Solid& solid, const Ray& ray) {
+    // From the point of the ray that is nearest to the frame's origin: far away, rounding eats the
+    // roots.
+    glm::dvec3 p = solid.to_frame * glm::dvec4(ray.origin, 1);
+    const glm::dvec3 d = solid.to_frame * glm::dvec4(ray.direction, 0);
+    const double shift = -glm::dot(p, d) / glm::dot(d, d);
+    if (!std::isfinite(shift)) return {};
+    p += shift * d;
+    std::vector<double> result = roots(along(solid, p, d), too_near - shift, too_far - shift);
+    for (double& depth : result) depth += shift;
+    return result;
+}
+
+bool is_inside(const Solid& solid, const glm::dvec3& point) {
+    return along(solid, solid.to_frame * glm::dvec4(point, 1), glm::dvec3(0))[0] <= 0;
+}
+
+bool holds(const DrawableScene& scene, const CurvedPiece& piece, const glm::dvec3& point) {
+    std::vector<bool> stack;
+    for (std::uint32_t i = 0; i < piece.conditions; ++i) {
+        const ConditionStep step = scene.conditions[piece.first_condition + i];
+        if (step >= 0) {
+            stack.push_back(is_inside(scene.solids[static_cast<std::size_t>(step)], point));
+        } else if (step == condition_not) {
+            stack.back() = !stack.back();
+        } else {
+            const bool top = stack.back();
+            stack.pop_back();
+            stack.back() = step == condition_and ? stack.back() && top : stack.back() || top;
+        }
+    }
+    return stack.empty() || stack.back();
+}
+
+DrawableAgreement compare_drawable(const DrawableScene& scene, std::span<const Sample> probes) {
+    std::vector<glm::dvec2> positions;
+    for (const Sample& probe : probes) positions.push_back(probe.position);
+    const std::vector<NearestFace> faces = nearest_faces(scene.polygons, positions);
+    DrawableAgreement result;
+    std::vector<std::size_t> doubtful;
+    std::vector<Said> all;
+    for (std::size_t i = 0; i < probes.size(); ++i) {
+        all.push_back(say(scene, ray_through(scene.polygons.camera, positions[i]), faces[i]));
+        const Said& said = all.back();
+        if (probes[i].failed) continue;
+        ++result.probes;
+        if (said.unknown_from <= said.depth && said.unknown_from < 1e29) {
+            ++result.unknown;
+            continue;
+        }
+        result.curved += said.curved;
+        if (same(probes[i], said.surface, said.depth))
+            ++result.agreeing;
+        else if (is_tied(probes[i], said))
+            ++result.tied;
+        else
+            doubtful.push_back(i);
+    }
+    // Around those that do not agree.
+    std::vector<glm::dvec2> around;
+    for (const std::size_t i : doubtful)
+        for (int k = 0; k < 8; ++k) {
+            const double angle = k * .785398;
+            around.push_back(positions[i] + hair * glm::dvec2(std::cos(angle), std::sin(angle)));
+        }
+    const std::vector<NearestFace> near_faces = nearest_faces(scene.polygons, around);
+    for (std::size_t d = 0; d < doubtful.size(); ++d) {
+        const std::size_t i = doubtful[d];
+        bool near = false;
+        for (std::size_t k = 8 * d; k < 8 * d + 8; ++k) {
+            const Said said =
+                say(scene, ray_through(scene.polygons.camera, around[k]), near_faces[k]);
+            near = near || said.surface == probes[i].surface || said.unknown_from < said.depth;
+        }
+        (near ? result.at_edges : result.wrong) += 1;
+        if (!near && result.examples.size() < 20)
+            result.examples.push_back(
+                {positions[i], probes[i].surface, all[i].surface, probes[i].depth, all[i].depth});
+    }
+    return result;
+}
+
+}  // namespace povpreview

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <optional>
+
+#include "core/detail/drawable_scene.h"
+#include "tests/end_to_end/geometry_agreement.h"
+
+namespace povpreview {
+
+/// How what a DrawableScene says of each probe's ray, in double precision and without haste, agrees
+/// with what the probe hit.
+struct DrawableAgreement {
+    std::size_t probes = 0;
+    std::size_t unknown = 0;   ///< something unknown may lie before all that is known
+    std::size_t curved = 0;    ///< known, and nearest is a curved piece
+    std::size_t agreeing = 0;  ///< known, and the same surface at the same depth, or nothing
+    std::size_t tied = 0;  ///< known, and the surface hit lies at the very same depth as another
+    /// Known, and right within a hundredth of a pixel: there POV-Ray's tolerances decide.
+    std::size_t at_edges = 0;
+    std::size_t wrong = 0;
+    struct Example {
+        glm::dvec2 position;
+        std::uint32_t hit, said;
+        double hit_depth, said_depth;
+    };
+    std::vector<Example> examples;  ///< of the wrong ones, the first
+
+    std::size_t known() const { return probes - unknown; }
+    double known_share() const { return share(known(), probes); }
+    double wrong_share() const { return share(wrong, known()); }
+    static double share(std::size_t part, std::size_t all) {
+        return all == 0 ? 0 : static_cast<double>(part) / static_cast<double>(all);
+    }
+};
+
+DrawableAgreement compare_drawable(const DrawableScene& scene, std::span<const Sample> probes);
+
+/// Depths at which a ray meets the surface of a solid, in order; tests of that are tests of tests.
+std::vector<double> crossings(const Solid& solid, const Ray& ray);
+bool is_inside(const Solid& solid, const glm::dvec3& point);
+bool holds(const DrawableScene& scene, const CurvedPiece& piece, const glm::dvec3& point);
+
+}  // namespace povpreview
