@@ -2,12 +2,14 @@
 #include "display/item_painter.h"
 
 #include <cassert>
+#include <glm/common.hpp>
 #include <optional>
 #include <string>
 
 #include "core/error.h"
 #include "display/items/draw_lists.h"
 #include "display/items/face_list.h"
+#include "display/items/image_pass.h"
 #include "display/items/item_programs.h"
 #include "display/items/item_target.h"
 #include "display/items/object_list.h"
@@ -17,14 +19,19 @@ namespace povpreview {
 using namespace items;
 
 struct ItemPainter::Parts {
-    explicit Parts(GlContext& gl_context) : context(gl_context), programs(gl_context) {}
+    explicit Parts(GlContext& gl_context)
+        : context(gl_context), programs(gl_context), images(gl_context) {}
 
     void prepare(int width, int height);
+    /// What was drawn, and where images are seen.
     ItemBuffer unpack(const DrawableScene& scene, const DrawLists& lists,
-                      const std::vector<glm::uvec2>& pixels) const;
+                      std::vector<SeenImage>& seen) const;
+    void add_albedo(const DrawableScene& scene, const PixelRays& rays, ItemBuffer& buffer,
+                    std::vector<SeenImage> seen);
 
     GlContext& context;
     ItemPrograms programs;
+    ImagePass images;
     std::optional<ItemTarget> target;
 };
 
@@ -57,21 +64,49 @@ void ItemPainter::Parts::prepare(int width, int height) {
 }
 
 ItemBuffer ItemPainter::Parts::unpack(const DrawableScene& scene, const DrawLists& lists,
-                                      const std::vector<glm::uvec2>& pixels) const {
+                                      std::vector<SeenImage>& seen) const {
+    const std::vector<glm::uvec2> pixels = target->read();
     ItemBuffer buffer;
     buffer.width = target->width();
     buffer.height = target->height();
     buffer.surfaces.resize(pixels.size());
     buffer.kinds.resize(pixels.size(), Look::Kind::mixed);
+    std::vector<SeenImage> by_look(scene.looks.size());
     for (std::size_t i = 0; i < pixels.size(); ++i) {
         buffer.surfaces[i] = pixels[i].x;
         std::uint32_t look = pixels[i].y;
-        if (look & look_in_record) look = lists.records.at((look & ~look_in_record) + 1).z;
+        if (look & look_in_record) look = lists.records.at((look & ~look_in_record) + 1).w;
         if (look >= scene.looks.size()) continue;
-        const Look::Kind kind = scene.looks[look].kind;
-        buffer.kinds[i] = kind == Look::Kind::image ? Look::Kind::traced : kind;
+        buffer.kinds[i] = scene.looks[look].kind;
+        if (buffer.kinds[i] != Look::Kind::image) continue;
+        const auto width = static_cast<std::size_t>(buffer.width);
+        const glm::ivec2 pixel(i % width, i / width);
+        SeenImage& part = by_look[look];
+        part.low = glm::min(part.low, pixel);
+        part.high = glm::max(part.high, pixel);
+    }
+    for (std::uint32_t look = 0; look < by_look.size(); ++look) {
+        by_look[look].look = look;
+        if (by_look[look].high.x >= 0) seen.push_back(by_look[look]);
     }
     return buffer;
+}
+
+void ItemPainter::Parts::add_albedo(const DrawableScene& scene, const PixelRays& rays,
+                                    ItemBuffer& buffer, std::vector<SeenImage> seen) {
+    const std::vector<glm::vec4> drawn = images.draw(scene, rays, *target, std::move(seen));
+    buffer.albedos.resize(drawn.size());
+    bool any = false;
+    for (std::size_t i = 0; i < drawn.size(); ++i) {
+        if (buffer.kinds[i] != Look::Kind::image) continue;
+        const bool opaque = drawn[i].w == 1, outside = drawn[i].w == 0;
+        any = any || opaque;
+        if (opaque)
+            buffer.albedos[i] = glm::vec3(drawn[i]);
+        else
+            buffer.kinds[i] = outside ? Look::Kind::traced : Look::Kind::mixed;
+    }
+    if (!any) buffer.albedos.clear();
 }
 
 ItemPainter::ItemPainter(GlContext& context) {
@@ -87,7 +122,6 @@ ItemBuffer ItemPainter::paint(const DrawableScene& scene) {
     const PixelRays rays(scene.polygons.camera);
     if (!rays.valid) return unknown_buffer(width, height);
     DrawLists lists;
-    lists.look_rects.resize(scene.looks.size());
     list_faces(scene, rays, lists);
     list_objects(scene, rays, lists);
 
@@ -96,7 +130,9 @@ ItemBuffer ItemPainter::paint(const DrawableScene& scene) {
     parts.prepare(width, height);
     parts.target->begin({ItemBuffer::background, no_look});
     parts.programs.draw(lists, rays, width, height);
-    ItemBuffer buffer = parts.unpack(scene, lists, parts.target->read());
+    std::vector<SeenImage> seen;
+    ItemBuffer buffer = parts.unpack(scene, lists, seen);
+    if (!seen.empty()) parts.add_albedo(scene, rays, buffer, std::move(seen));
     if (parts.context.gl().GetError() != GL_NO_ERROR)
         throw Error(Exit::usage, "OpenGL cannot draw or read back the item buffer",
                     parts.context.description(), "choose another display backend");

@@ -72,8 +72,6 @@ struct DrawLists {
     std::vector<SphereInstance> spheres;
     /// Objects by the shader that they need: without conditions, with them, with tori.
     std::vector<ItemCorner> simple_objects, objects, torus_objects;
-    /// Where each look may be seen, for those with images; by look.
-    std::vector<PixelRect> look_rects;
 };
 
 }  // namespace povpreview::items

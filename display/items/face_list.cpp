@@ -65,10 +65,11 @@ class FaceLister {
 
         const std::uint32_t record = lists_.records.next();
         lists_.records.push(glm::dvec3(reference_, v.at), face.surface);
-        const std::uint32_t look = look_of(face.material);
-        lists_.records.push_bits(Records::bits(v.x), Records::bits(v.y), look, 0);
+        lists_.records.push_bits(Records::bits(v.x), Records::bits(v.y),
+                                 uvs ? record | look_in_record : look_of(face.material),
+                                 look_of(face.material));
         if (uvs) push_uvs(normal, v, uvs);
-        push_fan(record, look);
+        push_fan(record);
     }
 
     /// Newell's: right for polygons with doubled or collinear corners too.
@@ -113,13 +114,10 @@ class FaceLister {
         lists_.records.push(glm::dvec3(w.x, w.y, 0), 0u);
     }
 
-    void push_fan(std::uint32_t record, std::uint32_t look) {
-        PixelRect* rect = look < lists_.look_rects.size() ? &lists_.look_rects[look] : nullptr;
+    void push_fan(std::uint32_t record) {
         for (std::size_t i = 2; i < clipped_.size(); ++i)
             for (const std::size_t corner : {std::size_t{0}, i - 1, i})
                 lists_.faces.push_back({glm::vec2(clipped_[corner].pixel()), record});
-        if (rect)
-            for (const Projected& p : clipped_) rect->include(p.pixel());
     }
 
     const DrawableScene& scene_;

@@ -261,23 +261,25 @@ vec4 roots_of(Solid solid, vec3 e, vec3 f) {
 )";
 
 inline constexpr const char* no_conditions = R"(
-bool holds(uint test, vec3 q, out bool doubtful) { doubtful = false; return true; }
+bool holds(uint test, vec3 q, float size, out bool doubtful) { doubtful = false; return true; }
 )";
 
 /// Conditions, as ConditionTest. Where a point lies on the boundary of a solid that is asked about,
-/// as far as floats can tell, the condition holds, if it may, and is doubtful.
+/// as far as floats can tell, the condition holds, if it may, and is doubtful. `size` is that of
+/// the numbers that q comes from.
 inline constexpr const char* conditions = R"(
 const uint test_holds = 0xffffffffu, test_fails = 0xfffffffeu;
 const float rounding = 1e-6;
-bool holds(uint test, vec3 q, out bool doubtful) {
+float one_norm(vec3 v) { return abs(v.x) + abs(v.y) + abs(v.z); }
+bool holds(uint test, vec3 q, float size, out bool doubtful) {
     doubtful = false;
     while (test < test_fails) {
         uvec4 step = bits(test);
         Solid solid = solid_at(step.x);
         vec3 p = linear_part(solid, q) + offset_of(solid);
         // What p may be off by, in units of `rounding`.
-        vec3 reach = vec3(dot(abs(solid.x.xyz), abs(q)), dot(abs(solid.y.xyz), abs(q)),
-                          dot(abs(solid.z.xyz), abs(q))) + abs(offset_of(solid));
+        vec3 reach = size * vec3(one_norm(solid.x.xyz), one_norm(solid.y.xyz),
+                                 one_norm(solid.z.xyz)) + abs(offset_of(solid));
         float value, slack;
         if (solid.code == torus_code) {
             value = torus_value(solid, p);
@@ -310,7 +312,9 @@ void main() {
             float s = roots[r];
             if (!(s > ray.least && s < nearest)) continue;
             bool doubtful;
-            if (!holds(piece.w, ray.base + s * ray.direction, doubtful)) continue;
+            vec3 step = s * ray.direction, size = abs(ray.base) + abs(step);
+            if (!holds(piece.w, ray.base + step, max(size.x, max(size.y, size.z)), doubtful))
+                continue;
             nearest = s;
             found = doubtful ? uvec2(0xffffffffu, 0x7fffffffu) : piece.yz;
         }

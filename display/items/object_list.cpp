@@ -104,9 +104,6 @@ class ObjectLister {
             for (const std::size_t corner : {std::size_t{0}, i - 1, i})
                 corners.push_back({glm::vec2(outline[corner]), record});
     }
-    void include(std::uint32_t look, const glm::dvec2& pixel) {
-        if (look < lists_.look_rects.size()) lists_.look_rects[look].include(pixel);
-    }
 
     const DrawableScene& scene_;
     const PixelRays& rays_;
@@ -165,8 +162,6 @@ bool ObjectLister::add_sphere(const CurvedPiece& piece) {
                               glm::vec4(to_sphere(frame.direction), frame.direction_factor),
                               glm::vec3(to_sphere(rays_.across)), glm::vec3(to_sphere(rays_.down)),
                               piece.surface, look});
-    include(look, low);
-    include(look, high);
     return true;
 }
 
@@ -194,8 +189,6 @@ bool ObjectLister::add_record(const CurvedObject& object, const std::vector<glm:
              : conditions_ ? lists_.objects
                            : lists_.simple_objects,
              outline, record);
-    for (std::uint32_t i = 0; i < object.pieces; ++i)
-        for (const glm::dvec2& p : outline) include(look_of(piece_of(object, i).material), p);
     return true;
 }
 

@@ -55,11 +55,6 @@ glm::dvec3 PixelRays::point(const glm::dvec2& pixel, double depth) const {
     return origin + depth * direction(pixel);
 }
 
-void PixelRect::include(const glm::dvec2& p) {
-    low = glm::min(low, p);
-    high = glm::max(high, p);
-}
-
 namespace {
 
 /// Keeps the side where `inside` is not negative. The point where an edge crosses comes out the

@@ -41,13 +41,6 @@ struct PixelRays {
     glm::dvec3 row_x_{}, row_y_{}, row_depth_{};
 };
 
-/// Rectangle of the image, pixels; empty at first.
-struct PixelRect {
-    glm::dvec2 low{1e30}, high{-1e30};
-    void include(const glm::dvec2& p);
-    bool empty() const { return !(low.x < high.x && low.y < high.y); }
-};
-
 /// The part of a convex polygon that is in front of the eye and in the image or a little beside it;
 /// empty if there is none. Neighbours that share an edge still share what is left of it, to the
 /// bit.

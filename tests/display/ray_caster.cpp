@@ -170,10 +170,11 @@ void RayCaster::cast_objects(const Ray& ray, Found& found) const {
             const glm::dvec3 e = solid.to_frame * glm::dvec4(ray.from, 1),
                              d = solid.to_frame * glm::dvec4(ray.along, 0);
             const double middle = -glm::dot(e, d) / glm::dot(d, d), step = 1 / glm::length(d);
+            const double wide = step * (1 + glm::length(e + middle * d));
             const double reach = (1.1 + solid.coefficients[0]) * step;
             const std::vector<double> roots = solid.kind == Solid::Kind::torus
                                                   ? stepped_roots(f, middle - reach, middle + reach)
-                                                  : parabola_roots(f, middle, step);
+                                                  : parabola_roots(f, middle, wide);
             for (const double t : roots)
                 if (found.nearer(t) && holds(piece, ray.at(t)))
                     found.set(t, piece.surface, piece.material, ray.at(t));
