@@ -48,6 +48,42 @@ ItemBuffer unknown_buffer(int width, int height) {
     return buffer;
 }
 
+/// A scene for every shader. Drivers that compile when a shader is first drawn with do so then.
+DrawableScene scene_of_everything() {
+    DrawableScene scene;
+    scene.polygons.width = scene.polygons.height = 8;
+    scene.polygons.camera.to_pixels = glm::dmat4x3({8, 0, 0}, {0, 8, 0}, {4, 4, 1}, {0, 0, 0});
+    scene.unknown = {{{-.5, -.5, 4}, {-.4, -.4, 5}}};
+    const auto at = [](double z) {
+        return glm::dmat4x3({1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, -z});
+    };
+    scene.solids = {{Solid::Kind::sphere, at(3), {}},
+                    {Solid::Kind::cylinder, at(3), {}},
+                    {Solid::Kind::torus, at(3), {.5}}};
+    scene.conditions = {1};
+    scene.pieces = {{0, 2, 0, 0, 0}, {1, 3, 0, 0, 0}, {0, 4, 0, 0, 1}, {2, 5, 0, 0, 0}};
+    const Bounds bounds{{-1, -1, 2}, {1, 1, 4}};
+    for (std::uint32_t i = 0; i < scene.pieces.size(); ++i) scene.objects.push_back({bounds, i, 1});
+    // Some drivers compile anew for images whose sides are no powers of two.
+    for (const std::uint32_t width : {4u, 3u}) {
+        for (const std::uint32_t height : {4u, 3u}) {
+            const auto number = static_cast<std::uint32_t>(scene.images.size());
+            scene.images.push_back({width, height, {}});
+            scene.images.back().texels.resize(std::size_t{width} * height);
+            scene.looks.push_back({Look::Kind::image, {}});
+            scene.looks.back().image.image = number;
+            PolygonScene& polygons = scene.polygons;
+            const double x = .5 * number - 1;
+            for (const glm::dvec3& p : {glm::dvec3(x, -1, 2), {x + .5, -1, 2}, {x, 0, 2}}) {
+                polygons.corners.push_back(static_cast<std::uint32_t>(polygons.points.size()));
+                polygons.points.push_back(p);
+            }
+            polygons.faces.push_back({3 * number, 3, 1, number});
+        }
+    }
+    return scene;
+}
+
 }  // namespace
 
 void ItemPainter::Parts::prepare(int width, int height) {
@@ -112,6 +148,7 @@ void ItemPainter::Parts::add_albedo(const DrawableScene& scene, const PixelRays&
 ItemPainter::ItemPainter(GlContext& context) {
     context.make_current();
     parts_ = std::make_unique<Parts>(context);
+    paint(scene_of_everything());
 }
 
 ItemPainter::~ItemPainter() { parts_->context.make_current(); }

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+//
+// What does the item buffer cost: a whole ItemPainter::paint(), read-back and all, of triangles,
+// spheres, closed cylinders, solid geometry of few and many pieces, a floor with an image? And what
+// does it take to make the painter, shaders and all?
+#include <benchmark/benchmark.h>
+
+#include <glm/gtc/packing.hpp>
+#include <random>
+
+#include "display/item_painter.h"
+#include "tests/display/item_scene.h"
+
+namespace povpreview {
+namespace {
+
+using test::ItemScene;
+
+ItemPainter& painter() {
+    static const std::unique_ptr<GlContext> context = open_offscreen();
+    static ItemPainter instance(*context);
+    return instance;
+}
+
+ItemScene empty_scene(const benchmark::State& state) {
+    const int width = static_cast<int>(state.range(0));
+    return ItemScene(test::look_at({3, 2, -5}, {0, 0, 0}), width, width == 1920 ? 1080 : 480);
+}
+
+/// Things spread over the view, each of a size that they cover it about twice together.
+class Spread {
+   public:
+    explicit Spread(std::int64_t things)
+        : size(2.2 / std::sqrt(static_cast<double>(things))), random_(1) {}
+    glm::dvec3 point() { return {3 * place_(random_), 2 * place_(random_), 2 * place_(random_)}; }
+    glm::dvec3 near(const glm::dvec3& p) { return p + size * glm::normalize(point()); }
+    const double size;
+
+   private:
+    std::mt19937 random_;
+    std::uniform_real_distribution<double> place_{-1, 1};
+};
+
+void paint(benchmark::State& state, const ItemScene& made) {
+    std::size_t seen = 0;
+    ItemBuffer buffer = painter().paint(made.scene);  // a driver may have to compile at first
+    for (auto _ : state) buffer = painter().paint(made.scene);
+    for (const std::uint32_t surface : buffer.surfaces) seen += surface != ItemBuffer::background;
+    state.counters["covered %"] =
+        100. * static_cast<double>(seen) / static_cast<double>(buffer.surfaces.size());
+}
+
+void nothing(benchmark::State& state) { paint(state, empty_scene(state)); }
+
+void triangles(benchmark::State& state) {
+    ItemScene made = empty_scene(state);
+    Spread spread(state.range(1));
+    for (std::int64_t i = 0; i < state.range(1); ++i) {
+        const glm::dvec3 p = spread.point();
+        made.face({spread.near(p), spread.near(p), spread.near(p)});
+    }
+    paint(state, made);
+}
+
+void spheres(benchmark::State& state) {
+    ItemScene made = empty_scene(state);
+    Spread spread(state.range(1));
+    for (std::int64_t i = 0; i < state.range(1); ++i) made.sphere(spread.point(), spread.size);
+    paint(state, made);
+}
+
+void cylinders(benchmark::State& state) {
+    ItemScene made = empty_scene(state);
+    Spread spread(state.range(1));
+    for (std::int64_t i = 0; i < state.range(1); ++i) {
+        const glm::dvec3 p = spread.point();
+        made.cylinder(p, spread.near(p) + .5 * spread.size, .4 * spread.size);
+    }
+    paint(state, made);
+}
+
+void tori(benchmark::State& state) {
+    ItemScene made = empty_scene(state);
+    Spread spread(state.range(1));
+    for (std::int64_t i = 0; i < state.range(1); ++i)
+        made.torus(spread.point(), spread.point(), .8 * spread.size, .2 * spread.size);
+    paint(state, made);
+}
+
+/// A ball with holes: as many solids as pieces, of one object that fills much of the view.
+void differences(benchmark::State& state) {
+    ItemScene made = empty_scene(state);
+    Spread spread(8);
+    std::vector<int> holes;
+    const auto ball = static_cast<int>(made.sphere_solid({0, 0, 0}, 1.8));
+    std::vector<ConditionStep> outside;
+    for (std::int64_t i = 1; i < state.range(1); ++i) {
+        const glm::dvec3 end = 1.8 * glm::normalize(spread.point());
+        const auto hole = static_cast<int>(made.cylinder_solid({0, 0, 0}, end, .15));
+        holes.push_back(hole);
+        outside.insert(outside.end(), {hole, condition_not});
+        if (i > 1) outside.push_back(condition_and);
+    }
+    made.piece(static_cast<std::uint32_t>(ball), outside);
+    for (const int hole : holes) {
+        std::vector<ConditionStep> condition{ball};
+        for (const int other : holes)
+            if (other != hole)
+                condition.insert(condition.end(), {other, condition_not, condition_and});
+        made.piece(static_cast<std::uint32_t>(hole), condition);
+    }
+    made.object({glm::dvec3(-1.8), glm::dvec3(1.8)});
+    paint(state, made);
+}
+
+/// A hundred primitives on a floor with an image.
+void typical(benchmark::State& state) {
+    ItemScene made = empty_scene(state);
+    Look look{Look::Kind::image, {}};
+    look.image.interpolation = ImageLook::Interpolation::bilinear;
+    made.scene.looks.push_back(look);
+    const std::uint16_t grey = glm::packHalf1x16(.5f), one = glm::packHalf1x16(1.f);
+    made.scene.images.push_back({512, 512, {512 * 512, {grey, grey, grey, one}}});
+    if (state.range(1)) made.material = 1;
+    made.face({{-1e7, -2, -1e7}, {1e7, -2, -1e7}, {1e7, -2, 1e7}, {-1e7, -2, 1e7}});
+    made.material = 0;
+    Spread spread(100);
+    for (int i = 0; i < 30; ++i) made.sphere(spread.point(), spread.size);
+    for (int i = 0; i < 30; ++i) {
+        const glm::dvec3 p = spread.point();
+        made.box(p, p + spread.size);
+    }
+    for (int i = 0; i < 40; ++i) {
+        const glm::dvec3 p = spread.point();
+        made.cylinder(p, spread.near(p), .3 * spread.size);
+    }
+    paint(state, made);
+}
+
+void making(benchmark::State& state) {
+    for (auto _ : state) {
+        const std::unique_ptr<GlContext> context = open_offscreen();
+        benchmark::DoNotOptimize(ItemPainter(*context));
+    }
+}
+
+constexpr auto in_sizes = [](std::vector<std::int64_t> counts) {
+    return std::vector<std::vector<std::int64_t>>{{640, 1920}, std::move(counts)};
+};
+BENCHMARK(nothing)->Arg(640)->Arg(1920)->Unit(benchmark::kMillisecond);
+BENCHMARK(triangles)->ArgsProduct(in_sizes({1000, 100000}))->Unit(benchmark::kMillisecond);
+BENCHMARK(spheres)->ArgsProduct(in_sizes({1, 100, 10000}))->Unit(benchmark::kMillisecond);
+BENCHMARK(cylinders)->ArgsProduct(in_sizes({1, 100, 10000}))->Unit(benchmark::kMillisecond);
+BENCHMARK(tori)->ArgsProduct(in_sizes({1, 100}))->Unit(benchmark::kMillisecond);
+BENCHMARK(differences)->ArgsProduct(in_sizes({2, 8, 32}))->Unit(benchmark::kMillisecond);
+BENCHMARK(typical)
+    ->ArgsProduct(in_sizes({0, 1}))
+    ->ArgNames({"", "image"})
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK(making)->Iterations(3)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace povpreview
+
+BENCHMARK_MAIN();
