@@ -92,6 +92,10 @@ void GeometryExport::run(const std::vector<pov::ObjectPtr>& objects) {
         else
             add(next);
     }
+    for (const pov::ImageData* image : images()) writer_.add(size_of(*image));
+    if (looks_.drawable().too_large() > 0)
+        writer_.leave_out({"image_map", "larger than 8 million texels", false},
+                          looks_.drawable().too_large());
     writer_.finish();
 }
 
@@ -181,16 +185,24 @@ const char* GeometryExport::add_pieces(const Waiting& part, const BoxFacts& box)
     for (const CurvedPieces::Piece& piece : curved.pieces()) {
         PieceFacts facts;
         facts.surface = around_.surfaces.identity(*piece.object, piece.number);
-        facts.material = looks_.of(*piece.object, nullptr).material;
+        facts.material = look_of(*piece.object, nullptr).material;
         pieces.push_back(facts);
     }
     writer_.add(curved, pieces, box);
     return nullptr;
 }
 
+/// Sends what is new along with it.
+Look GeometryExport::look_of(const pov::ObjectBase& object,
+                             const pov::Mesh_Triangle_Struct* triangle) {
+    const Look look = looks_.of(object, triangle);
+    for (const LookFacts& drawable : looks_.take_new()) writer_.add(drawable);
+    return look;
+}
+
 PolygonFacts GeometryExport::facts(const pov::ObjectBase& object, const pov::ObjectBase& flagged,
                                    const ObjectFaces::Face& face) {
-    const Look look = looks_.of(object, face.triangle);
+    const Look look = look_of(object, face.triangle);
     PolygonFacts facts;
     facts.surface = around_.surfaces.identity(object, face.number);
     facts.material = look.material;

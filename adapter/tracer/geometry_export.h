@@ -30,6 +30,8 @@ class GeometryExport {
         : around_(std::move(surroundings)), writer_(around_.send) {}
 
     void run(const std::vector<pov::ObjectPtr>& objects);
+    /// Of the looks that were sent, by number; whose texels are to follow.
+    const std::vector<const pov::ImageData*>& images() { return looks_.drawable().images(); }
 
    private:
     /// An object that is still to be added, and what it is part of says of it.
@@ -44,6 +46,7 @@ class GeometryExport {
     const char* add_compound(const pov::ObjectBase& object);
     const char* add_pieces(const Waiting& part, const BoxFacts& box);
     void split(const Waiting& part, const BoxFacts& box, bool clipped);
+    Look look_of(const pov::ObjectBase& object, const pov::Mesh_Triangle_Struct* triangle);
     PolygonFacts facts(const pov::ObjectBase& object, const pov::ObjectBase& flagged,
                        const ObjectFaces::Face& face);
     FaceLimits limits(const pov::ObjectBase& object) const;

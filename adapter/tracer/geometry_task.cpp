@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "backend/oracle/geometry_task.h"
 
+#include <algorithm>
 #include <chrono>
 #include <exception>
 #include <thread>
@@ -13,7 +14,6 @@
 #include "backend/scene/view.h"
 // clang-format on
 
-#include "backend/oracle/geometry_export.h"
 #include "base/povdebug.h"
 
 namespace povpreview::tracer {
@@ -28,32 +28,53 @@ void GeometryTask::Run() {
         // POV-Ray's own does not change the object, only its thread's statistics.
         return pov::Inside_Object(point, const_cast<pov::ObjectPtr>(&object), GetViewDataPtr());
     };
-    // Whatever goes wrong here costs edges, never the picture. Not (...): POV-Ray cancels a task by
-    // an exception of a type of its own.
+    GeometryExport geometry({shared_->surfaces,
+                             {camera.Location[0], camera.Location[1], camera.Location[2]},
+                             inside,
+                             [this] { Cooperate(); },
+                             [this](const GeometryChunk& chunk) {
+                                 wait_for_idle_wire();
+                                 Oracle::instance().wire().send_geometry(chunk);
+                             }});
+    if (!send_geometry(geometry)) return;
+    std::uint32_t number = 0;
+    for (const pov::ImageData* image : geometry.images()) send_texels(*image, number++);
+}
+
+/// Whatever goes wrong here costs edges, never the picture.
+bool GeometryTask::send_geometry(GeometryExport& geometry) {
+    // Not (...): POV-Ray cancels a task by an exception of a type of its own.
     try {
-        GeometryExport({shared_->surfaces,
-                        {camera.Location[0], camera.Location[1], camera.Location[2]},
-                        inside,
-                        [this] { Cooperate(); },
-                        [this](const GeometryChunk& chunk) { send(chunk); }})
-            .run(GetSceneData()->objects);
+        geometry.run(GetSceneData()->objects);
+        return true;
     } catch (std::exception&) {
         GeometryChunk end;
         end.left_out[{"the rest", "out of memory or broken", false}] = 1;
         end.unknown.push_back(everything);
         end.last = true;
-        send(end);
+        wait_for_idle_wire();
+        Oracle::instance().wire().send_geometry(end);
+        return false;
     }
 }
 
-/// Waits until nothing else is to be sent, so that no answer waits for more than one chunk.
-void GeometryTask::send(const GeometryChunk& chunk) {
-    WireEnd& wire = Oracle::instance().wire();
-    while (wire.is_busy()) {
+void GeometryTask::send_texels(const pov::ImageData& image, std::uint32_t number) {
+    constexpr std::uint32_t chunk_size = 65536;  // half a megabyte
+    const std::uint32_t count = size_of(image).width * size_of(image).height;
+    for (std::uint32_t first = 0; first < count; first += chunk_size) {
+        TexelChunk chunk = texels_of(image, first, std::min(chunk_size, count - first));
+        chunk.image = number;
+        wait_for_idle_wire();
+        Oracle::instance().wire().send_texels(chunk);
+    }
+}
+
+/// So that no answer waits for more than one chunk.
+void GeometryTask::wait_for_idle_wire() {
+    while (Oracle::instance().wire().is_busy()) {
         Cooperate();
         std::this_thread::sleep_for(std::chrono::microseconds(200));
     }
-    wire.send_geometry(chunk);
 }
 
 void GeometryTask::Finish() {

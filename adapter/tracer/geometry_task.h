@@ -3,11 +3,12 @@
 
 #include <memory>
 
+#include "backend/oracle/geometry_export.h"
 #include "backend/oracle/oracle_task.h"
 
 namespace povpreview::tracer {
 
-/// Sends the polygonal part of the scene, beside the tasks that trace.
+/// Sends what can be drawn of the scene without tracing, beside the tasks that trace.
 class GeometryTask : public pov::RenderTask {
    public:
     GeometryTask(pov::ViewData* view, std::shared_ptr<const SharedScene> shared);
@@ -17,7 +18,10 @@ class GeometryTask : public pov::RenderTask {
     void Finish() override;
 
    private:
-    void send(const GeometryChunk& chunk);
+    /// Returns false after it has failed, and said so.
+    bool send_geometry(GeometryExport& geometry);
+    void send_texels(const pov::ImageData& image, std::uint32_t number);
+    void wait_for_idle_wire();
 
     std::shared_ptr<const SharedScene> shared_;
 };

@@ -31,7 +31,10 @@ class GeometryWriter {
     void add(const LookFacts& look) { chunk_.looks.push_back(look); }
     /// There is something in the box of which nothing more is known.
     void add_unknown(const BoxFacts& box) { chunk_.unknown.push_back(box); }
-    void leave_out(const LeftOutFacts& object) { ++chunk_.left_out[object]; }
+    void add(const ImageSize& image) { chunk_.images.push_back(image); }
+    void leave_out(const LeftOutFacts& object, unsigned count = 1) {
+        chunk_.left_out[object] += count;
+    }
     /// Sends what is left.
     void finish();
 

@@ -42,6 +42,7 @@ const char* add_faces(const pov::Mesh& mesh, const FaceLimits& limits, ObjectFac
     faces.corners.reserve(3 * count);
     faces.rings.reserve(count);
     faces.faces.reserve(count);
+    const bool with_uvs = Test_Flag(&mesh, UV_FLAG) && data.UVCoords != nullptr;
     for (long i = 0; i < data.Number_Of_Vertices; ++i)
         faces.points.push_back(to_world(mesh.Trans, point(data.Vertices[i])));
     for (std::size_t i = 0; i < count; ++i) {
@@ -55,6 +56,10 @@ const char* add_faces(const pov::Mesh& mesh, const FaceLimits& limits, ObjectFac
         faces.rings.push_back({static_cast<std::uint32_t>(faces.corners.size()), 3});
         for (const long corner : {triangle.P1, triangle.P2, triangle.P3})
             faces.corners.push_back(static_cast<std::uint32_t>(corner));
+        if (!with_uvs) continue;
+        for (const long corner : {triangle.UV1, triangle.UV2, triangle.UV3})
+            faces.uvs.push_back({static_cast<float>(data.UVCoords[corner][0]),
+                                 static_cast<float>(data.UVCoords[corner][1])});
     }
     return nullptr;
 }

@@ -14,24 +14,12 @@
 // clang-format on
 
 #include "backend/oracle/hash.h"
+#include "backend/oracle/texture_parts.h"
 #include "base/povdebug.h"
 
 namespace povpreview::tracer {
 
 namespace {
-
-const pov::TEXTURE* next_layer(const pov::TEXTURE* texture) {
-    return reinterpret_cast<const pov::TEXTURE*>(texture->Next);
-}
-
-/// Calls `see` for the textures that a texture pattern chooses from.
-template <typename See>
-void for_each_choice(const pov::TEXTURE& texture, See see) {
-    for (const pov::TEXTURE* m = texture.Materials; m != nullptr; m = m->Next_Material) see(m);
-    if (texture.Blend_Map == nullptr) return;
-    for (int i = 0; i < texture.Blend_Map->Number_Of_Entries; ++i)
-        see(texture.Blend_Map->Blend_Map_Entries[i].Vals.Texture);
-}
 
 /// Light passes only where it passes through all layers.
 bool is_transparent(const pov::TEXTURE* texture) {
@@ -103,7 +91,9 @@ std::uint64_t content(const pov::PIGMENT* pigment) {
     return mix(mix(hash, bits(pigment->colour.filter())), bits(pigment->colour.transm()));
 }
 
-std::uint64_t content(const pov::FINISH* finish) {
+}  // namespace
+
+std::uint64_t content_of_finish(const pov::FINISH* finish) {
     if (finish == nullptr) return 0;
     const pov::FINISH& f = *finish;
     std::uint64_t hash = 2;
@@ -119,12 +109,15 @@ std::uint64_t content(const pov::FINISH* finish) {
                static_cast<std::uint64_t>(2 * f.Conserve_Energy + f.UseSubsurface));
 }
 
+namespace {
+
 std::uint64_t content(const pov::TEXTURE* texture) {
     std::uint64_t hash = 3;
     for (; texture != nullptr; texture = next_layer(texture))
         if (texture->Type == pov::PLAIN_PATTERN)
-            hash = mix(mix(mix(hash, content(texture->Pigment)), content(texture->Finish)),
-                       bits(texture->Tnormal));
+            hash =
+                mix(mix(mix(hash, content(texture->Pigment)), content_of_finish(texture->Finish)),
+                    bits(texture->Tnormal));
         else
             hash = mix(hash, bits(texture));
     return hash;
@@ -142,6 +135,10 @@ std::uint64_t content(const pov::Interior* interior) {
 }
 
 }  // namespace
+
+bool is_mesh(const pov::ObjectBase& object) {
+    return dynamic_cast<const pov::Mesh*>(&object) != nullptr;
+}
 
 Look SurfaceLooks::of(const pov::ObjectBase& object, const pov::MESH_TRIANGLE* triangle) {
     Surface surface{&object, {}};
@@ -177,9 +174,16 @@ Look SurfaceLooks::look(const Surface& surface) {
     }
     if (bumpy) look.mirror = 0;
     if (look.transparent) hash = mix(hash, content(object.interior));
-    if ((object.Flags & UV_FLAG) != 0) hash = mix(hash, bits(object.UV_Trans));
-    look.material = materials_.try_emplace(hash, static_cast<std::uint32_t>(materials_.size() + 1))
-                        .first->second;
+    // Of objects with coordinates of their own, those of meshes are known.
+    if ((object.Flags & UV_FLAG) != 0)
+        hash = mix(mix(hash, bits(object.UV_Trans)), is_mesh(object) ? 1 : 2);
+    const auto [found, is_new] =
+        materials_.try_emplace(hash, static_cast<std::uint32_t>(materials_.size() + 1));
+    look.material = found->second;
+    if (is_new) {
+        new_.push_back(drawable_.look(object, textures));
+        new_.back().material = look.material;
+    }
     return look;
 }
 

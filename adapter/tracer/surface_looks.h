@@ -4,12 +4,15 @@
 #include <cstdint>
 #include <map>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 // The order of POV-Ray's headers matters: frame.h first, povdebug.h last.
 // clang-format off
 #include "backend/frame.h"
 // clang-format on
+
+#include "backend/oracle/drawable_looks.h"
 
 namespace pov {
 struct Mesh_Triangle_Struct;
@@ -26,10 +29,17 @@ struct Look {
     float mirror = 0;          ///< share of light that it reflects, 0..1; 0 if its normal is bumpy
 };
 
+/// A hash by value.
+std::uint64_t content_of_finish(const pov::FINISH* finish);
+bool is_mesh(const pov::ObjectBase& object);
+
 class SurfaceLooks {
    public:
     /// `triangle` (may be null) has textures of its own.
     Look of(const pov::ObjectBase& object, const pov::Mesh_Triangle_Struct* triangle);
+    /// What can be drawn of the materials that came up since this was last asked.
+    std::vector<LookFacts> take_new() { return std::exchange(new_, {}); }
+    DrawableLooks& drawable() { return drawable_; }
 
    private:
     using Textures = std::vector<const pov::TEXTURE*>;
@@ -39,6 +49,8 @@ class SurfaceLooks {
 
     std::map<Surface, Look> known_;
     std::unordered_map<std::uint64_t, std::uint32_t> materials_;  ///< number by hash of the content
+    DrawableLooks drawable_;
+    std::vector<LookFacts> new_;
 };
 
 }  // namespace povpreview::tracer

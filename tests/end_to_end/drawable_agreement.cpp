@@ -102,17 +102,13 @@ Stretch inside_box(const Bounds& box, const Ray& ray) {
     return stretch;
 }
 
-/// What the scene says of a ray.
-struct Said {
-    std::uint32_t surface = 0;
-    double depth = 1e30;
-    bool curved = false;
-    double unknown_from = 1e30;
-    std::vector<std::pair<double, std::uint32_t>> hits;  ///< the nearest of the face and each piece
-};
-
-Said say(const DrawableScene& scene, const Ray& ray, const NearestFace& face) {
-    Said said{face.surface, face.depth, false, 1e30, {{face.depth, face.surface}}};
+Seen see(const DrawableScene& scene, const Ray& ray, const NearestFace& face) {
+    Seen said;
+    said.surface = face.surface;
+    said.material = face.face != nullptr ? face.face->material : 0;
+    said.depth = face.depth;
+    said.face = face.face;
+    said.hits = {{face.depth, face.surface}};
     for (const Bounds& box : scene.unknown) {
         const Stretch stretch = inside_box(box, ray);
         if (stretch.low <= stretch.high)
@@ -131,13 +127,15 @@ Said say(const DrawableScene& scene, const Ray& ray, const NearestFace& face) {
                 said.hits.push_back({depth, piece.surface});
                 if (depth < said.depth) {
                     said.surface = piece.surface;
+                    said.material = piece.material;
                     said.depth = depth;
-                    said.curved = true;
+                    said.face = nullptr;
                 }
                 break;
             }
         }
     }
+    said.point = ray.origin + said.depth * ray.direction;
     return said;
 }
 
@@ -147,7 +145,7 @@ bool same(const Sample& probe, std::uint32_t surface, double depth) {
     return surface == 0 || std::fabs(depth - probe.depth) <= 1e-4 * (1 + depth);
 }
 
-bool is_tied(const Sample& probe, const Said& said) {
+bool is_tied(const Sample& probe, const Seen& said) {
     return std::any_of(said.hits.begin(), said.hits.end(), [&](const auto& hit) {
         return hit.second == probe.surface && hit.first <= said.depth + 1e-7 * (1 + said.depth);
     });
@@ -189,23 +187,29 @@ bool holds(const DrawableScene& scene, const CurvedPiece& piece, const glm::dvec
     return stack.empty() || stack.back();
 }
 
+std::vector<Seen> seen_at(const DrawableScene& scene, std::span<const glm::dvec2> positions) {
+    const std::vector<NearestFace> faces = nearest_faces(scene.polygons, positions);
+    std::vector<Seen> seen;
+    for (std::size_t i = 0; i < positions.size(); ++i)
+        seen.push_back(see(scene, ray_through(scene.polygons.camera, positions[i]), faces[i]));
+    return seen;
+}
+
 DrawableAgreement compare_drawable(const DrawableScene& scene, std::span<const Sample> probes) {
     std::vector<glm::dvec2> positions;
     for (const Sample& probe : probes) positions.push_back(probe.position);
-    const std::vector<NearestFace> faces = nearest_faces(scene.polygons, positions);
+    const std::vector<Seen> all = seen_at(scene, positions);
     DrawableAgreement result;
     std::vector<std::size_t> doubtful;
-    std::vector<Said> all;
     for (std::size_t i = 0; i < probes.size(); ++i) {
-        all.push_back(say(scene, ray_through(scene.polygons.camera, positions[i]), faces[i]));
-        const Said& said = all.back();
+        const Seen& said = all[i];
         if (probes[i].failed) continue;
         ++result.probes;
-        if (said.unknown_from <= said.depth && said.unknown_from < 1e29) {
+        if (!said.known()) {
             ++result.unknown;
             continue;
         }
-        result.curved += said.curved;
+        result.curved += said.curved();
         if (same(probes[i], said.surface, said.depth))
             ++result.agreeing;
         else if (is_tied(probes[i], said))
@@ -220,14 +224,12 @@ DrawableAgreement compare_drawable(const DrawableScene& scene, std::span<const S
             const double angle = k * .785398;
             around.push_back(positions[i] + hair * glm::dvec2(std::cos(angle), std::sin(angle)));
         }
-    const std::vector<NearestFace> near_faces = nearest_faces(scene.polygons, around);
+    const std::vector<Seen> seen_around = seen_at(scene, around);
     for (std::size_t d = 0; d < doubtful.size(); ++d) {
         const std::size_t i = doubtful[d];
         bool near = false;
         for (std::size_t k = 8 * d; k < 8 * d + 8; ++k) {
-            const Said said =
-                say(scene, ray_through(scene.polygons.camera, around[k]), near_faces[k]);
-            near = near || said.surface == probes[i].surface || said.unknown_from < said.depth;
+            near = near || seen_around[k].surface == probes[i].surface || !seen_around[k].known();
         }
         (near ? result.at_edges : result.wrong) += 1;
         if (!near && result.examples.size() < 20)

@@ -34,6 +34,20 @@ struct DrawableAgreement {
     }
 };
 
+/// What the scene says of a position.
+struct Seen {
+    std::uint32_t surface = 0, material = 0;  ///< 0: nothing
+    double depth = 1e30;
+    glm::dvec3 point{0};
+    const Face* face = nullptr;  ///< or a piece
+    double unknown_from = 1e30;  ///< depth of the nearest box around something unknown
+    bool curved() const { return surface != 0 && face == nullptr; }
+    bool known() const { return unknown_from > depth || unknown_from > 1e29; }
+    std::vector<std::pair<double, std::uint32_t>>
+        hits;  ///< the nearest of the faces and each piece
+};
+std::vector<Seen> seen_at(const DrawableScene& scene, std::span<const glm::dvec2> positions);
+
 DrawableAgreement compare_drawable(const DrawableScene& scene, std::span<const Sample> probes);
 
 /// Depths at which a ray meets the surface of a solid, in order; tests of that are tests of tests.

@@ -195,7 +195,7 @@ std::vector<NearestFace> nearest_faces(const PolygonScene& scene,
         bins.for_each_in(bounds_of(scene, corners), [&](std::size_t i) {
             const double depth = hit(rays[i], corners, normal);
             if (depth < too_near || depth > too_far || depth >= nearest[i].depth) return;
-            nearest[i] = {face.surface, depth};
+            nearest[i] = {face.surface, depth, &face};
         });
     }
     return nearest;

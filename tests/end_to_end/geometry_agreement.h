@@ -21,6 +21,7 @@ Ray ray_through(const StraightCamera& camera, const glm::dvec2& position);
 struct NearestFace {
     std::uint32_t surface = 0;  ///< 0: nothing
     double depth = 1e30;
+    const Face* face = nullptr;
 };
 /// Of the faces that the eye sees, for each position.
 std::vector<NearestFace> nearest_faces(const PolygonScene& scene,
