@@ -64,22 +64,19 @@ DrawableScene scene_of_everything() {
     scene.pieces = {{0, 2, 0, 0, 0}, {1, 3, 0, 0, 0}, {0, 4, 0, 0, 1}, {2, 5, 0, 0, 0}};
     const Bounds bounds{{-1, -1, 2}, {1, 1, 4}};
     for (std::uint32_t i = 0; i < scene.pieces.size(); ++i) scene.objects.push_back({bounds, i, 1});
-    // Some drivers compile anew for images whose sides are no powers of two.
-    for (const std::uint32_t width : {4u, 3u}) {
-        for (const std::uint32_t height : {4u, 3u}) {
-            const auto number = static_cast<std::uint32_t>(scene.images.size());
-            scene.images.push_back({width, height, {}});
-            scene.images.back().texels.resize(std::size_t{width} * height);
-            scene.looks.push_back({Look::Kind::image, {}});
-            scene.looks.back().image.image = number;
-            PolygonScene& polygons = scene.polygons;
-            const double x = .5 * number - 1;
-            for (const glm::dvec3& p : {glm::dvec3(x, -1, 2), {x + .5, -1, 2}, {x, 0, 2}}) {
-                polygons.corners.push_back(static_cast<std::uint32_t>(polygons.points.size()));
-                polygons.points.push_back(p);
-            }
-            polygons.faces.push_back({3 * number, 3, 1, number});
+    scene.images.push_back({4, 4, std::vector<std::array<std::uint16_t, 4>>(16)});
+    for (std::uint32_t i = 0; i < 6; ++i) {
+        Look look{Look::Kind::image, {}};
+        look.image.mapping = i % 2 ? ImageLook::Mapping::spherical : ImageLook::Mapping::planar;
+        look.image.interpolation = static_cast<ImageLook::Interpolation>(i / 2);
+        scene.looks.push_back(look);
+        PolygonScene& polygons = scene.polygons;
+        const double x = .5 * i - 1.5;
+        for (const glm::dvec3& p : {glm::dvec3(x, -1, 2), {x + .5, -1, 2}, {x, 0, 2}}) {
+            polygons.corners.push_back(static_cast<std::uint32_t>(polygons.points.size()));
+            polygons.points.push_back(p);
         }
+        polygons.faces.push_back({3 * i, 3, 1, i});
     }
     return scene;
 }
@@ -101,7 +98,7 @@ void ItemPainter::Parts::prepare(int width, int height) {
 
 ItemBuffer ItemPainter::Parts::unpack(const DrawableScene& scene, const DrawLists& lists,
                                       std::vector<SeenImage>& seen) const {
-    const std::vector<glm::uvec2> pixels = target->read();
+    const std::vector<std::uint32_t> pixels = target->read();
     ItemBuffer buffer;
     buffer.width = target->width();
     buffer.height = target->height();
@@ -109,9 +106,9 @@ ItemBuffer ItemPainter::Parts::unpack(const DrawableScene& scene, const DrawList
     buffer.kinds.resize(pixels.size(), Look::Kind::mixed);
     std::vector<SeenImage> by_look(scene.looks.size());
     for (std::size_t i = 0; i < pixels.size(); ++i) {
-        buffer.surfaces[i] = pixels[i].x;
-        std::uint32_t look = pixels[i].y;
-        if (look & look_in_record) look = lists.records.at((look & ~look_in_record) + 1).w;
+        const glm::uvec4& label = lists.records.at(pixels[i]);
+        buffer.surfaces[i] = label.x;
+        const std::uint32_t look = label.y & ~Records::has_uvs;
         if (look >= scene.looks.size()) continue;
         buffer.kinds[i] = scene.looks[look].kind;
         if (buffer.kinds[i] != Look::Kind::image) continue;
@@ -148,7 +145,11 @@ void ItemPainter::Parts::add_albedo(const DrawableScene& scene, const PixelRays&
 ItemPainter::ItemPainter(GlContext& context) {
     context.make_current();
     parts_ = std::make_unique<Parts>(context);
-    paint(scene_of_everything());
+    DrawableScene scene = scene_of_everything();
+    for (const float gamma : {1.f, 2.2f}) {
+        scene.working_gamma = gamma;
+        paint(scene);
+    }
 }
 
 ItemPainter::~ItemPainter() { parts_->context.make_current(); }
@@ -165,7 +166,7 @@ ItemBuffer ItemPainter::paint(const DrawableScene& scene) {
     Parts& parts = *parts_;
     parts.context.make_current();
     parts.prepare(width, height);
-    parts.target->begin({ItemBuffer::background, no_look});
+    parts.target->begin(Records::background);
     parts.programs.draw(lists, rays, width, height);
     std::vector<SeenImage> seen;
     ItemBuffer buffer = parts.unpack(scene, lists, seen);

@@ -30,12 +30,24 @@ struct SphereInstance {
     glm::vec4 base;       ///< and the factor of base_x, base_y
     glm::vec4 direction;  ///< and the factor of direction_x, direction_y
     glm::vec3 across, down;
-    std::uint32_t surface, look;
+    std::uint32_t item;  ///< texel of its label
 };
 
-/// What fragment shaders look up, texel by texel: floats as their bits, or integers.
+/// What fragment shaders look up, texel by texel: floats as their bits, or integers. Among them are
+/// labels: surface and look, and two values of other use. What is drawn is the texel of a label.
 class Records {
    public:
+    Records() {
+        push_bits(0, no_look, 0, 0);
+        push_bits(0xffffffffu, no_look, 0, 0);
+    }
+    static constexpr std::uint32_t background = 0, unknown = 1;  ///< their labels
+    /// The look of background and unknown, beyond all others.
+    static constexpr std::uint32_t no_look = 0x7fffffffu;
+    /// In a label's look: its texel follows the record of a face by two and two more texels with
+    /// texture coordinates follow.
+    static constexpr std::uint32_t has_uvs = 0x80000000u;
+
     std::uint32_t next() const { return static_cast<std::uint32_t>(texels_.size()); }
     void push(float a, float b, float c, float d) { push_bits(bits(a), bits(b), bits(c), bits(d)); }
     void push(const glm::dvec3& v, float d) { push(glm::vec3(v), bits(d)); }
@@ -58,12 +70,6 @@ class Records {
 
     std::vector<glm::uvec4> texels_;
 };
-
-/// A fragment's second value is the number of its look (its material), or with this bit the record
-/// of a face with texture coordinates, which has the look and them.
-constexpr std::uint32_t look_in_record = 0x80000000u;
-/// Where nothing was drawn, and what is unknown.
-constexpr std::uint32_t no_look = 0x7fffffffu;
 
 /// All that is drawn of a scene, in the image of its camera.
 struct DrawLists {

@@ -64,10 +64,10 @@ class FaceLister {
         if (!std::isfinite(v.at + v.x + v.y)) return;  // no area, or seen edge-on
 
         const std::uint32_t record = lists_.records.next();
-        lists_.records.push(glm::dvec3(reference_, v.at), face.surface);
-        lists_.records.push_bits(Records::bits(v.x), Records::bits(v.y),
-                                 uvs ? record | look_in_record : look_of(face.material),
-                                 look_of(face.material));
+        lists_.records.push(glm::dvec3(reference_, v.at), 0u);
+        lists_.records.push(glm::dvec3(v.x, v.y, 0), 0u);
+        lists_.records.push_bits(face.surface,
+                                 look_of(face.material) | (uvs ? Records::has_uvs : 0), 0, 0);
         if (uvs) push_uvs(normal, v, uvs);
         push_fan(record);
     }
@@ -137,12 +137,12 @@ bool has_uv_image(const DrawableScene& scene, std::uint32_t material) {
            scene.corner_uvs.size() == scene.polygons.corners.size();
 }
 
-std::uint32_t look_of(std::uint32_t material) { return std::min(material, no_look); }
+std::uint32_t look_of(std::uint32_t material) { return std::min(material, Records::no_look); }
 
 void list_faces(const DrawableScene& scene, const PixelRays& rays, DrawLists& lists) {
     FaceLister lister(scene, rays, lists);
     lists.faces.reserve(3 * scene.polygons.faces.size());
-    lists.records.texels().reserve(2 * scene.polygons.faces.size());
+    lists.records.texels().reserve(3 * scene.polygons.faces.size());
     for (const Face& face : scene.polygons.faces) lister.add(face);
 }
 

@@ -8,8 +8,9 @@ namespace povpreview::items {
 
 /// Adds the visible faces to the lists. Record of a face, in texels:
 ///
-///     reference x, y (pixels); v there; surface
-///     dv/dx, dv/dy; what fragments have for their look; look
+///     reference x, y (pixels); v there; -
+///     dv/dx, dv/dy; -; -
+///     label: surface; look; -; -
 ///
 /// where v, over the face linear in the image, is nearest_depth / depth under a perspective camera
 /// (0 at the horizon) and the depth itself under an orthographic one. Faces with texture

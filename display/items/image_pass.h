@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <deque>
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 #include <optional>
@@ -32,16 +33,23 @@ class ImagePass {
     std::vector<glm::vec4> draw(const DrawableScene& scene, const PixelRays& rays,
                                 const ItemTarget& target, std::vector<SeenImage> seen);
 
-    static constexpr std::size_t most_texels = std::size_t{1} << 26;  ///< 512 MiB
+    static constexpr std::size_t most_texels = std::size_t{1} << 25;  ///< 256 MiB
 
    private:
     void prepare(int width, int height);
     bool load(const ImageTexels& image);
     void draw_look(const DrawableScene& scene, const PixelRays& rays, const SeenImage& seen);
+    void set_rays(const GlProgram& program, const PixelRays& rays,
+                  const glm::dmat4x3& to_map) const;
 
     GlContext& context_;
     const GlFunctions& gl_;
-    GlProgram program_;
+    /// By whether the mapping is by angles, texels a side (1, 2, 4) and whether gamma is 1.
+    GlProgram& program(bool angles, int taps, bool linear) {
+        return programs_[(angles ? 6u : 0u) + (taps == 4 ? 4u : taps == 2 ? 2u : 0u) + linear];
+    }
+
+    std::deque<GlProgram> programs_;
     GlVertexArray no_attributes_;
     GlTexture image_;
     std::optional<GlTexture> albedo_;

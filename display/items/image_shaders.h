@@ -5,9 +5,16 @@
 /// image_map pigments). Follows `records` in item_shaders.h.
 namespace povpreview::items::shaders {
 
+/// Before it come constants that spare software renderers the branches not taken:
+///
+///     const bool angles;  // whether the mapping is by angles
+///     const int taps;     // texels a side: 1, 2 (bilinear, normalised distance) or 4
+///     const bool linear;  // gamma is 1
 inline constexpr const char* image_inputs = R"(
 uniform usampler2D items;
-uniform sampler2D depths, image;
+uniform sampler2D depths;
+uniform sampler2D image;  // texels in rows of 2048
+uniform ivec2 size;       // of the image, texels
 uniform uint look;
 uniform bool orthographic;
 // The rays, in the pigment's space: from the middle of the image.
@@ -19,6 +26,7 @@ uniform float gamma;
 layout(location = 0) out vec4 albedo;  // last: 0 not drawn, 1 drawn, 2 drawn but not opaque
 const int mapping_spherical = 1, mapping_cylindrical = 2, mapping_toroidal = 3, mapping_uv = 4;
 const int nearest_texel = 0, bilinear = 1, bicubic = 2;
+const uint has_uvs = 0x80000000u;
 const float nearest_depth = 1e-15;
 )";
 
@@ -51,6 +59,7 @@ inline constexpr const char* image_mapping = R"(
 bool map_point(vec3 p, out vec2 square) {
     float aside = length(p.xz);
     square = p.xy;
+    if (!angles) return !once || all(equal(square, clamp(square, 0.0, 1.0)));
     if (mapping == mapping_spherical) {
         square = vec2(turn_of(p.x, p.z), 0.5 + angle_of(aside, p.y) / pi);
     } else if (mapping == mapping_cylindrical) {
@@ -67,8 +76,8 @@ bool map_point(vec3 p, out vec2 square) {
 // Of the pixel's face; under a perspective camera, what is linear in the image are u, v and 1, each
 // divided by the depth.
 vec3 face_coordinates(uint face, vec2 pixel) {
-    vec4 place = floats(face), slope = floats(face + 1u), u = floats(face + 2u),
-         v = floats(face + 3u);
+    vec4 place = floats(face), slope = floats(face + 1u), u = floats(face + 3u),
+         v = floats(face + 4u);
     vec2 offset = pixel - place.xy;
     vec2 coordinates = vec2(u.x + dot(u.yz, offset), u.w + dot(v.xy, offset));
     return vec3(orthographic ? coordinates : coordinates / (place.z + dot(slope.xy, offset)), 0.0);
@@ -76,20 +85,23 @@ vec3 face_coordinates(uint face, vec2 pixel) {
 )";
 
 inline constexpr const char* image_fragment = R"(
+// By floats: software renderers divide integers one by one.
+ivec2 wrapped(ivec2 texel, ivec2 size) {
+    vec2 t = vec2(texel), s = vec2(size);
+    return ivec2(t - s * floor(t / s));
+}
 float cubic(float d) {  // Catmull and Rom's
     return d < 1.0 ? 1.0 + d * d * (1.5 * d - 2.5) : 2.0 + d * (-4.0 + d * (2.5 - 0.5 * d));
 }
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
-    uvec2 item = texelFetch(items, pixel, 0).xy;
-    uint face = item.y & 0x7fffffffu;
-    bool has_face = item.y != face;
-    if ((has_face ? bits(face + 1u).w : face) != look) discard;
-    if (has_face != (mapping == mapping_uv)) discard;
+    uint item = texelFetch(items, pixel, 0).x;
+    uint wanted = mapping == mapping_uv ? look | has_uvs : look;
+    if (bits(item).y != wanted) discard;
 
     vec3 p;
     if (mapping == mapping_uv) {
-        p = face_coordinates(face, gl_FragCoord.xy);
+        p = face_coordinates(item - 2u, gl_FragCoord.xy);
     } else {
         float depth = nearest_depth / texelFetch(depths, pixel, 0).r;
         vec2 offset = gl_FragCoord.xy - middle;
@@ -99,11 +111,9 @@ void main() {
     vec2 square;
     if (!map_point(p, square)) discard;
 
-    ivec2 size = textureSize(image, 0);
     square.y = -square.y;  // rows go down
     vec2 place = (square - floor(square)) * vec2(size);
     // Texels [first, first + taps) a side are weighed by their distance from the place.
-    int taps = interpolation == nearest_texel ? 1 : interpolation == bicubic ? 4 : 2;
     vec2 base = floor(place - 0.5), share = place - 0.5 - base;
     ivec2 first = taps == 1 ? ivec2(floor(place)) : ivec2(base) - (taps == 4 ? 1 : 0);
     vec4 sum = vec4(0.0);
@@ -117,14 +127,15 @@ void main() {
             else if (interpolation != nearest_texel) weight = 1.0 / max(dot(d, d), 1e-12);
             ivec2 texel = first + ivec2(i, j);
             // At the borders: the same side's texels again, or the other side's.
-            texel = once ? clamp(texel, ivec2(0), size - 1) : (texel + 2 * size) % size;
-            sum += weight * texelFetch(image, texel, 0);
+            texel = once ? clamp(texel, ivec2(0), size - 1) : wrapped(texel, size);
+            int number = texel.y * size.x + texel.x;
+            sum += weight * texelFetch(image, ivec2(number & 2047, number >> 11), 0);
             weights += weight;
         }
     }
     sum /= weights;
     vec3 light = max(sum.rgb, 0.0);
-    albedo = vec4(gamma == 1.0 ? light : pow(light, vec3(gamma)), sum.a > 0.998 ? 1.0 : 2.0);
+    albedo = vec4(linear ? light : pow(light, vec3(gamma)), sum.a > 0.998 ? 1.0 : 2.0);
 })";
 
 }  // namespace povpreview::items::shaders

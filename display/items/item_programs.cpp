@@ -74,8 +74,8 @@ ItemPrograms::ItemPrograms(GlContext& context)
                                        {3, offsetof(SphereInstance, down)}})
         gl_.VertexAttribPointer(index++, attribute.floats, GL_FLOAT, GL_FALSE,
                                 sizeof(SphereInstance), offset(attribute.at));
-    gl_.VertexAttribIPointer(index++, 2, GL_UNSIGNED_INT, sizeof(SphereInstance),
-                             offset(offsetof(SphereInstance, surface)));
+    gl_.VertexAttribIPointer(index++, 1, GL_UNSIGNED_INT, sizeof(SphereInstance),
+                             offset(offsetof(SphereInstance, item)));
     for (GLuint i = 0; i < index; ++i) {
         gl_.EnableVertexAttribArray(i);
         gl_.VertexAttribDivisor(i, 1);

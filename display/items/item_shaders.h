@@ -25,11 +25,12 @@ vec4 floats(uint texel) { return uintBitsToFloat(bits(texel)); }
 )";
 
 inline constexpr const char* result = R"(
-layout(location = 0) out uvec2 item;  // surface, look
+layout(location = 0) out uint item;  // texel of its label
 const float nearest_depth = 1e-15;
+const uint unknown = 1u;
 const float none = 3e38;
-void put(uint surface, uint look, float depth) {
-    item = uvec2(surface, look);
+void put(uint label, float depth) {
+    item = label;
     gl_FragDepth = nearest_depth / max(depth, nearest_depth);
 }
 )";
@@ -38,10 +39,10 @@ inline constexpr const char* face_fragment = R"(
 flat in uint record;
 uniform bool orthographic;
 void main() {
-    uvec4 place = bits(record), slope = bits(record + 1u);
-    vec2 offset = gl_FragCoord.xy - uintBitsToFloat(place.xy);
-    float v = uintBitsToFloat(place.z) + dot(uintBitsToFloat(slope.xy), offset);
-    item = uvec2(place.w, slope.z);
+    vec4 place = floats(record), slope = floats(record + 1u);
+    vec2 offset = gl_FragCoord.xy - place.xy;
+    float v = place.z + dot(slope.xy, offset);
+    item = record + 2u;
     // Never 0, not even where rounding sees the horizon's far side: 0 is what was cleared.
     gl_FragDepth = clamp(orthographic ? nearest_depth / max(v, nearest_depth) : v, 1e-37, 1.0);
 })";
@@ -53,18 +54,18 @@ layout(location = 2) in vec4 instance_base;
 layout(location = 3) in vec4 instance_direction;
 layout(location = 4) in vec3 instance_across;
 layout(location = 5) in vec3 instance_down;
-layout(location = 6) in uvec2 instance_item;
+layout(location = 6) in uint instance_item;
 uniform vec2 size;
 flat out vec4 reference, base, direction;
 flat out vec3 across, down;
-flat out uvec2 surface_look;
+flat out uint label;
 void main() {
     reference = instance_reference;
     base = instance_base;
     direction = instance_direction;
     across = instance_across;
     down = instance_down;
-    surface_look = instance_item;
+    label = instance_item;
     vec2 corner = vec2((gl_VertexID & 1) == 0 ? rectangle.x : rectangle.z,
                        (gl_VertexID & 2) == 0 ? rectangle.y : rectangle.w);
     gl_Position = vec4(corner / size * 2.0 - 1.0, 0.0, 1.0);
@@ -79,7 +80,7 @@ void main() {
 inline constexpr const char* sphere_fragment = R"(
 flat in vec4 reference, base, direction;
 flat in vec3 across, down;
-flat in uvec2 surface_look;
+flat in uint label;
 void main() {
     vec2 offset = gl_FragCoord.xy - reference.xy;
     vec3 aside = offset.x * across + offset.y * down;
@@ -91,7 +92,7 @@ void main() {
     float depth = reference.z + (middle - half_chord) * reference.w;
     if (!(depth > nearest_depth)) depth = reference.z + (middle + half_chord) * reference.w;
     if (!(square >= 0.0 && depth > nearest_depth)) discard;
-    put(surface_look.x, surface_look.y, depth);
+    put(label, depth);
 })";
 
 /// A pixel's ray in the local frame of a record (see LocalFrame).
@@ -128,7 +129,7 @@ void main() {
         }
     }
     if (!(first <= last)) discard;
-    put(0xffffffffu, 0x7fffffffu, ray.depth + first * ray.size);
+    put(unknown, ray.depth + first * ray.size);
 })";
 
 /// Roots of solids along rays. See CanonicalSolid.
@@ -302,10 +303,10 @@ void main() {
     Ray ray = local_ray();
     uvec2 pieces = bits(record + 3u).xy;
     float nearest = none;
-    uvec2 found = uvec2(0u);
+    uint found = 0u;
     for (uint i = 0u; i < pieces.y; ++i) {
         uvec4 piece = bits(pieces.x + i);
-        Solid solid = solid_at(piece.x);
+        Solid solid = solid_at(piece.z);
         vec4 roots = roots_of(solid, linear_part(solid, ray.base) + offset_of(solid),
                               linear_part(solid, ray.direction));
         for (int r = 0; r < most_roots; ++r) {
@@ -316,11 +317,11 @@ void main() {
             if (!holds(piece.w, ray.base + step, max(size.x, max(size.y, size.z)), doubtful))
                 continue;
             nearest = s;
-            found = doubtful ? uvec2(0xffffffffu, 0x7fffffffu) : piece.yz;
+            found = doubtful ? unknown : pieces.x + i;
         }
     }
     if (nearest == none) discard;
-    put(found.x, found.y, ray.depth + nearest * ray.size);
+    put(found, ray.depth + nearest * ray.size);
 })";
 
 }  // namespace povpreview::items::shaders

@@ -35,7 +35,7 @@ ItemTarget::ItemTarget(GlContext& context, int width, int height)
       items_(gl_),
       depths_(gl_),
       framebuffer_(gl_) {
-    make_texture(gl_, items_, GL_RG32UI, width, height, GL_RG_INTEGER, GL_UNSIGNED_INT);
+    make_texture(gl_, items_, GL_R32UI, width, height, GL_RED_INTEGER, GL_UNSIGNED_INT);
     make_texture(gl_, depths_, GL_DEPTH_COMPONENT32F, width, height, GL_DEPTH_COMPONENT, GL_FLOAT);
     gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
     gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, items_.id(), 0);
@@ -43,20 +43,20 @@ ItemTarget::ItemTarget(GlContext& context, int width, int height)
     check_framebuffer(context, "an item buffer", width, height);
 }
 
-void ItemTarget::begin(const glm::uvec2& item) const {
+void ItemTarget::begin(std::uint32_t item) const {
     gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
     gl_.Viewport(0, 0, width_, height_);
-    const GLuint value[] = {item.x, item.y, 0, 0};
+    const GLuint value[] = {item, 0, 0, 0};
     const GLfloat infinitely_far = 0;
     gl_.ClearBufferuiv(GL_COLOR, 0, value);
     gl_.ClearBufferfv(GL_DEPTH, 0, &infinitely_far);
 }
 
-std::vector<glm::uvec2> ItemTarget::read() const {
-    std::vector<glm::uvec2> pixels(static_cast<std::size_t>(width_) * height_);
+std::vector<std::uint32_t> ItemTarget::read() const {
+    std::vector<std::uint32_t> pixels(static_cast<std::size_t>(width_) * height_);
     gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
     gl_.PixelStorei(GL_PACK_ALIGNMENT, 1);
-    gl_.ReadPixels(0, 0, width_, height_, GL_RG_INTEGER, GL_UNSIGNED_INT, pixels.data());
+    gl_.ReadPixels(0, 0, width_, height_, GL_RED_INTEGER, GL_UNSIGNED_INT, pixels.data());
     gl_.PixelStorei(GL_PACK_ALIGNMENT, 4);
     return pixels;
 }

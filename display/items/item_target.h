@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
-#include <glm/vec2.hpp>
+#include <cstdint>
 #include <vector>
 
 #include "display/gl_context.h"
@@ -9,7 +9,8 @@
 
 namespace povpreview::items {
 
-/// The framebuffer that items are drawn into: two integers a pixel (surface, look) and depth. GL's
+/// The framebuffer that items are drawn into: the texel of the label that is seen, and
+/// depth. GL's
 /// lowest row is the image's top.
 class ItemTarget {
    public:
@@ -20,9 +21,9 @@ class ItemTarget {
     int height() const { return height_; }
 
     /// Makes it the target of drawing, whole, and clears it: `item` everywhere, infinitely far.
-    void begin(const glm::uvec2& item) const;
+    void begin(std::uint32_t item) const;
     /// What was drawn, row by row from the top.
-    std::vector<glm::uvec2> read() const;
+    std::vector<std::uint32_t> read() const;
 
     GLuint items() const { return items_.id(); }
     GLuint depths() const { return depths_.id(); }

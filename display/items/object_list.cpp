@@ -155,13 +155,13 @@ bool ObjectLister::add_sphere(const CurvedPiece& piece) {
     const CanonicalSolid sphere(solid, frame.centre, frame.size);
     if (!frame.valid() || !sphere.valid()) return false;
     const auto to_sphere = [&](const glm::dvec3& v) { return sphere.linear_part * v; };
-    const std::uint32_t look = look_of(piece.material);
     lists_.spheres.push_back({glm::vec4(low, high),
                               glm::vec4(frame.reference, frame.depth, frame.size),
                               glm::vec4(to_sphere(frame.base) + sphere.offset, frame.base_factor),
                               glm::vec4(to_sphere(frame.direction), frame.direction_factor),
                               glm::vec3(to_sphere(rays_.across)), glm::vec3(to_sphere(rays_.down)),
-                              piece.surface, look});
+                              lists_.records.next()});
+    lists_.records.push_bits(piece.surface, look_of(piece.material), 0, 0);
     return true;
 }
 
@@ -175,14 +175,14 @@ bool ObjectLister::add_record(const CurvedObject& object, const std::vector<glm:
     lists_.records.push_bits(record + 4, object.pieces, 0, 0);
     for (std::uint32_t i = 0; i < object.pieces; ++i) {
         const CurvedPiece& piece = piece_of(object, i);
-        lists_.records.push_bits(0, piece.surface, look_of(piece.material), no_tests);
+        lists_.records.push_bits(piece.surface, look_of(piece.material), 0, no_tests);
     }
     for (std::uint32_t i = 0; i < object.pieces; ++i) {
         const CurvedPiece& piece = piece_of(object, i);
         const std::uint32_t texel = record + 4 + i;
         const auto solid = solid_record(piece.solid, frame);
         if (!solid) return false;
-        lists_.records.at(texel).x = *solid;
+        lists_.records.at(texel).z = *solid;
         if (piece.conditions > 0 && !add_tests(piece, frame, texel)) return false;
     }
     push_fan(tori_         ? lists_.torus_objects

@@ -14,7 +14,7 @@ namespace povpreview::items {
 ///     direction; direction factor
 ///     first texel of its pieces, their number; -, -
 ///
-/// of a piece: first texel of its solid; surface; look; first texel of its tests, or ~0
+/// of a piece, its label: surface; look; first texel of its solid; first texel of its tests, or ~0
 /// of a test: first texel of its solid; whether inverted; texel of the next test if inside, if
 /// outside (see ConditionTest)
 /// of a solid (see CanonicalSolid), rows of its linear part with its offset:

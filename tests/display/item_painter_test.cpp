@@ -558,7 +558,8 @@ TEST_P(ItemPainterTest, ImagesThatCannotBeDrawnAreTraced) {
               Kind::traced);
     EXPECT_EQ(kind_with([](DrawableScene& scene) { scene.images[0] = {}; }), Kind::traced);
     EXPECT_EQ(kind_with([](DrawableScene& scene) {
-                  scene.images[0] = {100000, 1, std::vector(100000, scene.images[0].texels[0])};
+                  scene.images[0] = {1u << 13, (1u << 12) + 1, {}};
+                  scene.images[0].texels.resize((std::size_t{1} << 25) + (1u << 13));
               }),
               Kind::traced);
     EXPECT_EQ(kind_with([](DrawableScene& scene) {
