@@ -76,15 +76,18 @@ void BfSquares::set_meshed(Pixel pixel, bool meshed) {
     states_[pixel] = meshed ? State::meshed : State::known;
 }
 
+std::optional<Pixel> BfSquares::pixel_in(std::size_t square, int n) const {
+    const glm::ivec2 low = origin(square);
+    const int x = low.x + n % side, y = low.y + n / side;
+    if (x >= width_ || y >= height_) return std::nullopt;
+    return static_cast<Pixel>(y) * static_cast<Pixel>(width_) + static_cast<Pixel>(x);
+}
+
 std::optional<Pixel> BfSquares::next_to_fill() {
     while (!queue_.empty()) {
-        const glm::ivec2 low = origin(queue_.front());
         for (; scanned_ < side * side; ++scanned_) {
-            const int x = low.x + scanned_ % side, y = low.y + scanned_ / side;
-            if (x >= width_ || y >= height_) continue;
-            const Pixel pixel =
-                static_cast<Pixel>(y) * static_cast<Pixel>(width_) + static_cast<Pixel>(x);
-            if (states_[pixel] == State::unsampled) return pixel;
+            const auto pixel = pixel_in(queue_.front(), scanned_);
+            if (pixel && states_[*pixel] == State::unsampled) return pixel;
         }
         queue_.pop_front();
         scanned_ = 0;

@@ -62,6 +62,8 @@ class BfSquares {
     int count(std::size_t square) const { return counts_[square]; }
     /// Pixels in the square, fewer at the right and lower border.
     int area(std::size_t square) const;
+    /// The n-th pixel of a whole square; nothing where that lies outside of the image.
+    std::optional<Pixel> pixel_in(std::size_t square, int n) const;
     /// Whether the square has been given to `fill`.
     bool filling(std::size_t square) const { return filling_[square]; }
 

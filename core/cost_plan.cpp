@@ -28,4 +28,9 @@ CostPlan plan_by_cost(double sample_ns, std::size_t pixels) {
     return plan;
 }
 
+double albedo_price(double albedo_ns, double full_ns) {
+    if (albedo_ns <= 0 || full_ns <= 0) return 1;
+    return albedo_ns / (full_ns + vertex_ns);
+}
+
 }  // namespace povpreview

@@ -18,4 +18,8 @@ struct CostPlan {
 /// is not known. The answer changes in few steps, so that two runs seldom differ.
 CostPlan plan_by_cost(double sample_ns, std::size_t pixels);
 
+/// What an albedo ray costs against a full sample that becomes a vertex, our own work included; 1
+/// where either is not known (0).
+double albedo_price(double albedo_ns, double full_ns);
+
 }  // namespace povpreview

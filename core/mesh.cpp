@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "core/colour.h"
+#include "core/detail/edge_detail.h"
 #include "core/edge_weight.h"
 
 namespace povpreview {
@@ -85,13 +86,18 @@ SampleId Mesh::promise(VertexId vertex, glm::dvec2 position) {
     return id;
 }
 
-void Mesh::answer(SampleId id, const glm::vec3& colour, std::uint32_t surface) {
+void Mesh::answer(SampleId id, const Sample& answer, std::uint32_t item, bool shaded) {
     VertexSample& sample = samples_[id.value];
-    sample.colour = colour;
-    sample.encoded = display_encoded(colour);
-    sample.surface = surface;
+    sample.colour = answer.colour;
+    sample.encoded = display_encoded(answer.colour);
+    sample.surface = answer.surface;
+    sample.item = item;
     sample.state = VertexSample::State::known;
-    sum_ += glm::dvec3(colour);
+    sample.shaded = shaded;
+    sample.albedo = answer.albedo;
+    sample.illumination = answer.illumination;
+    sample.remainder = answer.remainder;
+    sum_ += glm::dvec3(answer.colour);
     ++count_;
 }
 
@@ -167,14 +173,34 @@ std::optional<float> Mesh::contrast(VertexId a, VertexId b) const {
         // A failed sample says nothing; it must not keep its surroundings from being refined.
         float distance = 0;
         if (known(p) && known(q))
-            distance = colour_distance(sample(p).encoded, sample(q).encoded);
+            distance = this->distance(sample(p), sample(q));
         else if (!p.valid() && !q.valid() && !triangulation_.labels().find(a, b))
             distance = unknown_distance;
         greatest = std::max(greatest.value_or(0), distance);
     };
     side(true);
     if (!greatest || both_sides) side(false);
+    if (greatest && *greatest < unknown_distance && detail_ && stray_pixel(a, b))
+        return unknown_distance;
     return greatest;
+}
+
+/// How different the picture may be expected to be between two samples, as drawn.
+float Mesh::distance(const VertexSample& p, const VertexSample& q) const {
+    const float colours = colour_distance(p.encoded, q.encoded);
+    if (!detail_) return colours;
+    return detailed_distance(*detail_, p, q, colours);
+}
+
+std::optional<Pixel> Mesh::stray_pixel(VertexId a, VertexId b) const {
+    std::array<std::uint32_t, 4> ends;
+    ends.fill(DetailMap::unknown);
+    auto end = ends.begin();
+    for (const auto& [at, to] : {std::pair{a, b}, std::pair{b, a}})
+        for (bool left : {true, false})
+            if (const VertexSample* sample = known(corner(at, to, left))) *end++ = sample->item;
+    return povpreview::stray_pixel(*detail_, triangulation_.position(a), triangulation_.position(b),
+                                   {ends.begin(), end});
 }
 
 bool Mesh::seen(VertexId a, VertexId b) const {

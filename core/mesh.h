@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/detail/detail_map.h"
 #include "core/ids.h"
 #include "core/picture.h"
 #include "core/sector.h"
@@ -26,7 +27,10 @@ struct VertexSample {
     glm::vec3 colour{};   ///< linear light
     glm::vec3 encoded{};  ///< the same, display-encoded in [0, 1]
     std::uint32_t surface = 0;
+    std::uint32_t item = DetailMap::unknown;  ///< number of that surface
     State state = State::promised;
+    bool shaded = false;  ///< the rest is there: colour = albedo * illumination + remainder
+    glm::vec3 albedo{}, illumination{}, remainder{};
     SampleId next{};  ///< the vertex's next sample
 };
 
@@ -54,7 +58,10 @@ class Mesh {
 
     /// Adds a sample that is asked for at `position`, to be filled in by `answer`.
     SampleId promise(VertexId vertex, glm::dvec2 position);
-    void answer(SampleId sample, const glm::vec3& colour, std::uint32_t surface);
+    /// `item`: the number of its surface, if those are numbered; `shaded`: its shading was asked
+    /// for and is sound.
+    void answer(SampleId sample, const Sample& answer, std::uint32_t item = DetailMap::unknown,
+                bool shaded = false);
     void fail(SampleId sample);
     /// Asks for a promised sample elsewhere.
     void move(SampleId sample, glm::dvec2 position) { samples_[sample.value].position = position; }
@@ -97,6 +104,12 @@ class Mesh {
     /// of .005 to .08 on images of cards.
     static constexpr float unknown_distance = .08f;
 
+    /// What is known of the pixels between the samples; null: nothing. Must outlive its use.
+    void show_detail(const DetailMap* detail) { detail_ = detail; }
+    /// A pixel on the edge of which nothing is known but its item: of none of the samples at the
+    /// edge's ends, and in the midst of as long a stretch as there is.
+    std::optional<Pixel> stray_pixel(VertexId a, VertexId b) const;
+
     /// Whether a constraint is seen: false where both sides are known at an end or both, and of one
     /// colour there (colour_distance() up to even_distance).
     bool seen(VertexId a, VertexId b) const;
@@ -110,6 +123,9 @@ class Mesh {
 
     /// Appends the faces' corners to the picture.
     void draw(Picture& picture) const;
+    /// Appends what else the corners know, and for each item a choice of its samples.
+    void draw_lights(Picture& picture) const;
+    void draw_anchors(Picture& picture, std::size_t items, std::uint32_t most) const;
     /// Appends all edges, or the constrained ones alone.
     void draw_edges(Picture& picture, bool constraints_only) const;
 
@@ -127,6 +143,7 @@ class Mesh {
     void update_sides(VertexId vertex);
     void update_sides(std::span<const VertexId> touched);
     const VertexSample* known(SampleId id) const;
+    float distance(const VertexSample& p, const VertexSample& q) const;
     SampleId in_wedge(VertexId vertex, const Wedge& wedge) const;
     Wedge wedge(VertexId vertex, const std::vector<Triangulation::Spoke>& fan,
                 const Sector& sector) const;
@@ -143,6 +160,7 @@ class Mesh {
     bool sides_held_ = false;
     glm::dvec3 sum_{};  // of all known colours, the last resort
     std::size_t count_ = 0;
+    const DetailMap* detail_ = nullptr;
     static constexpr std::uint32_t none = 0xffffffff;
 };
 

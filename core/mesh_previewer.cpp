@@ -39,6 +39,18 @@ std::vector<double> drawn_out(double centre, int pixels) {
     return {centre};
 }
 
+/// The mean of costs in nanoseconds, without those few during which the tracer's thread was put
+/// aside for another program.
+double usual_cost(std::vector<std::uint32_t> costs) {
+    constexpr double left_out = .02;
+    if (costs.empty()) return 0;
+    std::sort(costs.begin(), costs.end());
+    // Rounded down: of few, one is left out as well.
+    costs.resize(
+        std::max<std::size_t>(1, static_cast<std::size_t>((1 - left_out) * double(costs.size()))));
+    return std::accumulate(costs.begin(), costs.end(), 0.) / double(costs.size());
+}
+
 }  // namespace
 
 MeshPreviewer::MeshPreviewer(int width, int height, const MeshOptions& options)
@@ -47,17 +59,24 @@ MeshPreviewer::MeshPreviewer(int width, int height, const MeshOptions& options)
       options_(options),
       squares_(width, height),
       mesh_(width, height),
+      albedo_asked_(squares_.squares()),
       search_({width, height}) {
     assert(width >= 1 && height >= 1);
     lay_grid();
 }
 
-std::string_view MeshPreviewer::name() const { return options_.constraints ? "mesh" : "delaunay"; }
+std::string_view MeshPreviewer::name() const {
+    if (!options_.constraints) return "delaunay";
+    return options_.detail ? "mesh" : "constrained";
+}
 
 /// Surfaces tell where outlines are, which is of no use any more once pixels are only filled.
 Parts MeshPreviewer::parts() const {
-    const bool outlines = options_.constraints && refining_ && (plan_.outlines || !cost_known());
-    return outlines ? Parts::surface : Parts::colour;
+    if (!refining_) return Parts::colour;
+    const bool outlines = options_.constraints && (plan_.outlines || !cost_known());
+    Parts parts = outlines || options_.detail ? Parts::surface : Parts::colour;
+    if (options_.detail && (textured_ || !cost_known())) parts = parts | Parts::shading;
+    return parts;
 }
 
 /// A regular grid from border to border, asked for in levels from coarse to fine, so that even its
@@ -81,18 +100,14 @@ void MeshPreviewer::lay_grid() {
             }
 }
 
-/// The first samples tell what the rest will cost. Those few during which the tracer's thread was
-/// put aside for another program are left out.
+/// The first samples tell what the rest will cost.
 void MeshPreviewer::learn_cost(const Sample& sample) {
-    constexpr double left_out = .02;
     if (cost_known()) return;
     grid_costs_.push_back(sample.cost_ns);
     if (!cost_known()) return;
-    std::vector<std::uint32_t> costs = grid_costs_;
-    std::sort(costs.begin(), costs.end());
-    costs.resize(static_cast<std::size_t>(std::ceil((1 - left_out) * double(costs.size()))));
-    const double sum = std::accumulate(costs.begin(), costs.end(), 0.);
-    plan_ = plan_by_cost(sum / double(costs.size()), squares_.pixels());
+    const double full_ns = usual_cost(grid_costs_);
+    plan_ = plan_by_cost(full_ns, squares_.pixels());
+    albedo_price_ = albedo_price(usual_cost(trial_costs_), full_ns);
 }
 
 std::optional<Request> MeshPreviewer::request(Pending pending) {
@@ -112,8 +127,12 @@ std::optional<Request> MeshPreviewer::request(Pending pending) {
 
 std::optional<Request> MeshPreviewer::next() {
     insert_chains();
-    if (grid_asked_ < grid_.size())
+    if (grid_asked_ < grid_.size()) {
+        if (auto albedo = next_trial()) return albedo;
         return request({Pending::Use::vertex, grid_[grid_asked_++], recent_});
+    }
+    if (auto albedo = next_albedo()) return albedo;
+    if (auto seed = next_seed()) return seed;
     if (!retries_.empty()) {
         const Pending side = retries_.front();
         retries_.pop_front();
@@ -170,8 +189,12 @@ std::optional<Request> MeshPreviewer::refine(const RefinementHeap::Entry& entry)
         return std::nullopt;
     }
     consider_outline(a, b);
+    consider_albedos(a, b);
     if (edge.constrained) return split_constraint(a, b);
-    const Pixel pixel = squares_.pixel_at((t.position(a) + t.position(b)) / 2.);
+    Pixel pixel = squares_.pixel_at((t.position(a) + t.position(b)) / 2.);
+    if (detail_)
+        if (const auto stray = mesh_.stray_pixel(a, b))
+            if (squares_.state(*stray) == BfSquares::State::unsampled) pixel = *stray;
     return request({Pending::Use::vertex, pixel, a});
 }
 
@@ -220,6 +243,7 @@ void MeshPreviewer::accept(const Sample& sample) {
         take_outlines();
         return;
     }
+    if (pending.use == Pending::Use::albedo) return accept_albedo(pending.pixel, sample);
     learn_cost(sample);
     if (pending.use == Pending::Use::side)
         accept_side(pending, sample, usable);
@@ -254,7 +278,7 @@ bool MeshPreviewer::add_vertex(glm::dvec2 position, VertexId near, const Sample&
     if (!mesh_.first_sample(vertex).valid()) {
         const SampleId id = mesh_.promise(vertex, sample.position);
         if (usable)
-            mesh_.answer(id, sample.colour, sample.surface);
+            mesh_.answer(id, sample, item_seen(sample), shaded(sample));
         else
             mesh_.fail(id);
     }
@@ -316,6 +340,8 @@ void MeshPreviewer::start_filling() {
     refining_ = false;
     heap_.clear();
     chains_ = {};
+    seeds_ = {};
+    albedo_squares_ = {};
     const std::vector<double> errors = expected_errors();
     fill_order_.resize(squares_.squares());
     std::iota(fill_order_.begin(), fill_order_.end(), std::size_t{0});
@@ -380,6 +406,7 @@ Picture MeshPreviewer::picture(Overlay overlay) const {
     picture.width = width_;
     picture.height = height_;
     mesh_.draw(picture);
+    draw_detail(picture);
     squares_.draw(picture);
     if (overlay == Overlay::mesh || overlay == Overlay::edges)
         mesh_.draw_edges(picture, overlay == Overlay::edges);
@@ -413,7 +440,8 @@ std::string MeshPreviewer::validate() const {
     const Triangulation& t = mesh_.triangulation();
     t.for_each_edge([&](VertexId a, VertexId b, bool constrained) {
         if (!fault.empty() || !refinable(a, b, constrained)) return;
-        if (const auto now = weight(a, b)) require(a, b, *now);
+        // What is known of pixels changes as well; that is looked up when the edge's turn comes.
+        if (const auto now = weight(a, b)) require(a, b, detail_ ? 0 : *now);
     });
     // What sides weigh changes with all that becomes known around them; it is looked up again when
     // their turn comes.

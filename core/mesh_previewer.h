@@ -2,6 +2,7 @@
 #pragma once
 
 #include <deque>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -20,6 +21,8 @@ namespace povpreview {
 struct MeshOptions {
     /// Without constraints it is Painter and Sloan's plain Delaunay triangulation.
     bool constraints = true;
+    /// Use what is known of each pixel: the paper's DetailMap.
+    bool detail = true;
     WeightKind weight = WeightKind::area;
     /// An outline is traced where an edge of the mesh jumps by more than this (square root of the
     /// paper's colour distance, on encoded colour) ...
@@ -62,6 +65,8 @@ class MeshPreviewer : public Previewer {
     void accept(const Sample& sample) override;
     bool wants_edges() const override { return options_.constraints && refining_; }
     void accept_edges(std::vector<EdgeChain>&& chains) override;
+    bool wants_items() const override { return options_.detail && refining_; }
+    void accept_items(const ItemBuffer& items) override;
     bool done() const override;
     Picture picture(Overlay overlay) const override;
     Statistics statistics() const override;
@@ -74,8 +79,8 @@ class MeshPreviewer : public Previewer {
    private:
     /// What an outstanding request is for.
     struct Pending {
-        enum class Use : std::uint8_t { fill, vertex, side, probe } use;
-        Pixel pixel = 0;              ///< fill, vertex
+        enum class Use : std::uint8_t { fill, vertex, side, probe, albedo } use;
+        Pixel pixel = 0;              ///< fill, vertex, albedo
         VertexId vertex{};            ///< vertex: one nearby; side: the one it belongs to
         SampleId sample{};            ///< side
         std::uint32_t surface = any;  ///< side: what should be there; probe: the tracer's number
@@ -119,6 +124,18 @@ class MeshPreviewer : public Previewer {
     std::vector<double> expected_errors() const;
     void add_outline_errors(std::vector<double>& errors) const;
 
+    // What is known of each pixel (mesh_detail.cpp).
+    DetailMap& detail_to_change();
+    std::uint32_t item_seen(const Sample& sample);
+    bool shaded(const Sample& sample) const;
+    std::optional<Request> next_seed();
+    void consider_albedos(VertexId a, VertexId b);
+    void want_albedos(std::size_t square);
+    std::optional<Request> next_trial();
+    std::optional<Request> next_albedo();
+    void accept_albedo(Pixel pixel, const Sample& sample);
+    void draw_detail(Picture& picture) const;
+
     void accept_pixel(const Pending& pending, const Sample& sample, bool usable);
     bool add_vertex(glm::dvec2 position, VertexId near, const Sample& sample, bool usable);
     VertexId live(VertexId near) const;
@@ -144,6 +161,16 @@ class MeshPreviewer : public Previewer {
     std::vector<EdgeChain> chains_;        // known and not yet inserted, lightest first
     std::size_t chain_vertices_ = 0;       // of those inserted
     std::size_t vertices_before_insertion_ = 0;
+    std::shared_ptr<DetailMap> detail_;  // null as long as nothing is known; shared with pictures
+    std::vector<Pixel> seeds_;           // one for each item without a sample, the largest last
+    ItemNumbers items_;
+    bool textured_ = false;                   // some surface was seen to vary, or is known to
+    std::vector<std::uint8_t> albedo_asked_;  // by square
+    std::deque<std::size_t> albedo_squares_;  // squares whose albedo is to be asked for
+    std::size_t trials_ = 0;                  // albedo rays asked for to learn what they cost
+    int albedo_scanned_ = 0;                  // pixels of the first of them already asked for
+    std::vector<std::uint32_t> trial_costs_;  // of those, nanoseconds
+    double albedo_price_ = 1;                 // of an albedo ray against a full sample
     OutlineSearch search_;
     std::size_t outline_rays_ = 0;           // spent on outlines
     std::size_t waiting_since_ = 0;          // full rays when the next round's first edge was taken

@@ -99,7 +99,7 @@ void MeshPreviewer::accept_side(Pending side, const Sample& sample, bool usable)
         }
     }
     if (usable && !strange)
-        mesh_.answer(side.sample, sample.colour, sample.surface);
+        mesh_.answer(side.sample, sample, item_seen(sample), shaded(sample));
     else
         mesh_.fail(side.sample);
     queue_around(side.vertex);

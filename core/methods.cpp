@@ -13,24 +13,29 @@ namespace {
 
 struct Method {
     const char* name;
-    std::unique_ptr<Previewer> (*make)(int width, int height);
+    std::unique_ptr<Previewer> (*make)(const ImageFrame& frame);
 };
 
+std::unique_ptr<Previewer> make_mesh(const ImageFrame& frame, MeshOptions options) {
+    options.detail = options.detail && frame.sharp;
+    return std::make_unique<MeshPreviewer>(frame.width, frame.height, options);
+}
+
+template <class Baseline>
+std::unique_ptr<Previewer> make(const ImageFrame& frame) {
+    return std::make_unique<Baseline>(frame.width, frame.height);
+}
+
 constexpr Method methods[] = {
-    {"mesh",
-     [](int w, int h) -> std::unique_ptr<Previewer> {
-         return std::make_unique<MeshPreviewer>(w, h);
-     }},
+    {"mesh", [](const ImageFrame& frame) { return make_mesh(frame, {}); }},
+    {"constrained", [](const ImageFrame& frame) { return make_mesh(frame, {.detail = false}); }},
     {"delaunay",
-     [](int w, int h) -> std::unique_ptr<Previewer> {
-         return std::make_unique<MeshPreviewer>(w, h, MeshOptions{.constraints = false});
+     [](const ImageFrame& frame) {
+         return make_mesh(frame, {.constraints = false, .detail = false});
      }},
-    {"blocks",
-     [](int w, int h) -> std::unique_ptr<Previewer> { return std::make_unique<Blocks>(w, h); }},
-    {"mosaic",
-     [](int w, int h) -> std::unique_ptr<Previewer> { return std::make_unique<Mosaic>(w, h); }},
-    {"bicubic",
-     [](int w, int h) -> std::unique_ptr<Previewer> { return std::make_unique<Bicubic>(w, h); }},
+    {"blocks", make<Blocks>},
+    {"mosaic", make<Mosaic>},
+    {"bicubic", make<Bicubic>},
 };
 
 }  // namespace
@@ -41,11 +46,14 @@ std::vector<std::string> method_names() {
     return names;
 }
 
-bool method_wants_edges(std::string_view name) { return make_previewer(name, 1, 1)->wants_edges(); }
+MethodNeeds method_needs(std::string_view name) {
+    const auto previewer = make_previewer(name, {1, 1});
+    return {previewer->wants_edges(), previewer->wants_items()};
+}
 
-std::unique_ptr<Previewer> make_previewer(std::string_view name, int width, int height) {
+std::unique_ptr<Previewer> make_previewer(std::string_view name, const ImageFrame& frame) {
     for (const Method& method : methods)
-        if (name == method.name) return method.make(width, height);
+        if (name == method.name) return method.make(frame);
     assert(!"the name is one of method_names()");
     return nullptr;
 }

@@ -13,11 +13,23 @@ namespace povpreview {
 /// The previewing methods by name, ours first.
 std::vector<std::string> method_names();
 
-/// Whether a method has a use for edges known without tracing. `name` is one of method_names().
-bool method_wants_edges(std::string_view name);
+/// What a method has a use for of what may be known without tracing.
+struct MethodNeeds {
+    bool edges = false;  ///< Previewer::accept_edges
+    bool items = false;  ///< Previewer::accept_items
+};
+/// `name` is one of method_names().
+MethodNeeds method_needs(std::string_view name);
 
-/// A previewer for an image of width x height pixels (each at least 1). `name` is one of
-/// method_names().
-std::unique_ptr<Previewer> make_previewer(std::string_view name, int width, int height);
+/// What a picture is of, for a previewer.
+struct ImageFrame {
+    int width = 0, height = 0;  ///< pixels, each at least 1
+    /// A sample is the light along one ray; false under focal blur, where it is a mean of many, and
+    /// the surface that one of them met says little.
+    bool sharp = true;
+};
+
+/// `name` is one of method_names().
+std::unique_ptr<Previewer> make_previewer(std::string_view name, const ImageFrame& frame);
 
 }  // namespace povpreview

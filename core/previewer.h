@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/detail/item_buffer.h"
 #include "core/image_edge.h"
 #include "core/oracle.h"
 #include "core/picture.h"
@@ -45,6 +46,10 @@ class Previewer {
     virtual bool wants_edges() const { return false; }
     /// Such edges, heaviest first. May come at any time and more than once.
     virtual void accept_edges(std::vector<EdgeChain>&&) {}
+    /// Whether it has a use for what is seen in each pixel, known without tracing, or still has.
+    virtual bool wants_items() const { return false; }
+    /// That. May come at any time, once; of the size of the picture.
+    virtual void accept_items(const ItemBuffer&) {}
     /// Every pixel shows a full sample of its own centre, and no answer is outstanding.
     virtual bool done() const = 0;
 

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "core/error.h"
+#include "display/detail_layer.h"
 #include "display/gl_objects.h"
 #include "display/painter_shaders.h"
 
@@ -120,6 +121,7 @@ struct Painter::Layers {
           pixel_program(gl, whole_viewport_shader, shaders::pixel_fragment),
           line_program(gl, shaders::line_vertex, shaders::line_fragment),
           dot_program(gl, shaders::dot_vertex, shaders::dot_fragment),
+          detail(with),
           triangles(gl),
           mesh(gl),
           constraints(gl),
@@ -144,10 +146,12 @@ struct Painter::Layers {
     GlContext& context;
     const GlFunctions& gl;
     GlProgram triangle_program, pixel_program, line_program, dot_program;
+    DetailLayer detail;
     Elements triangles, mesh, constraints, samples;
     GlVertexArray no_attributes;
     std::vector<PixelBlock> pixels;
     int width = 1, height = 1;
+    bool detailed = false;  // the triangles are with `detail`
 };
 
 void Painter::Layers::load_pixels(const Picture& picture) {
@@ -217,7 +221,11 @@ void Painter::load(const Picture& picture) {
     assert(picture.width > 0 && picture.height > 0 && picture.corners.size() % 3 == 0);
     layers_->width = picture.width;
     layers_->height = picture.height;
-    layers_->triangles.upload(picture.corners);
+    layers_->detailed = layers_->detail.takes(picture);
+    if (layers_->detailed)
+        layers_->detail.load(picture);
+    else
+        layers_->triangles.upload(picture.corners);
     std::vector<Stroke> mesh, constraints;
     for (const Picture::Line& line : picture.lines)
         if (line.constraint)
@@ -236,9 +244,13 @@ void Painter::draw(const View& view, Overlay overlay) const {
     gl.Disable(GL_BLEND);
     gl.Disable(GL_DEPTH_TEST);
     gl.Disable(GL_CULL_FACE);
-    layers.place(layers.triangle_program, view);
-    gl.BindVertexArray(layers.triangles.array.id());
-    gl.DrawArrays(GL_TRIANGLES, 0, layers.triangles.count);
+    if (layers.detailed) {
+        layers.detail.draw([&](const GlProgram& program) { layers.place(program, view); });
+    } else {
+        layers.place(layers.triangle_program, view);
+        gl.BindVertexArray(layers.triangles.array.id());
+        gl.DrawArrays(GL_TRIANGLES, 0, layers.triangles.count);
+    }
     layers.draw_pixels(view);
 
     if (overlay == Overlay::none) return;

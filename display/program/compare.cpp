@@ -60,7 +60,7 @@ class Comparison {
         TracedScene scene(
             read_povray_options(options_.povray).tracer_arguments(), options_.stall_timeout,
             [&](const std::string& text) { line_.show(method + ": " + text); }, interrupted,
-            edges_for(method));
+            foreknowledge_for(method_needs(method), options_.mirror_depth, options_.backend));
         check_size(scene.description());
         StrategyRun run(method, scene, scene.oracle());
         std::vector<Moment> moments;
@@ -83,11 +83,6 @@ class Comparison {
         }
         take("end");
         return moments;
-    }
-
-    std::optional<EdgeFinding> edges_for(const std::string& method) const {
-        if (!method_wants_edges(method)) return std::nullopt;
-        return EdgeFinding{.mirror_depth = options_.mirror_depth};
     }
 
     /// Those of an earlier comparison, which had other moments; nothing else that lies there.

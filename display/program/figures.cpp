@@ -119,7 +119,7 @@ class Figures {
         TracedScene scene(
             povray_.tracer_arguments(), options_.stall_timeout,
             [&](const std::string& text) { line_.show(text); }, interrupted,
-            EdgeFinding{.mirror_depth = options_.mirror_depth});
+            {.edges = EdgeFinding{.mirror_depth = options_.mirror_depth}, .items = std::nullopt});
         size_ = {scene.description().width, scene.description().height};
         check_size();
         add("a", decoded(reference_),
@@ -127,7 +127,7 @@ class Figures {
         // The edges first, so that the constrained triangulation is the same however fast they
         // came.
         line_.show("finding edges");
-        scene.wait_for_edges(interrupted);
+        scene.wait_for_foreknowledge(interrupted);
         draw(scene);
         line_.clear();
         if (interrupted()) return Exit::interrupted;
@@ -152,12 +152,13 @@ class Figures {
     void draw(TracedScene& scene) {
         const std::vector<EdgeChain>& edges = scene.edges();
         const RegularGrid grid = regular_grid(samples(), size_);
-        MeshPreviewer plain(size_.x, size_.y, {.constraints = false, .grid_cell = grid.cell});
+        MeshPreviewer plain(size_.x, size_.y,
+                            {.constraints = false, .detail = false, .grid_cell = grid.cell});
         trace(plain, scene, grid.samples);
         draw(plain, "b", "c", "plain triangulation");
 
         // Most samples are for refinement, also where there are but few in all.
-        MeshOptions sparse;
+        MeshOptions sparse{.detail = false};
         sparse.grid_cell = std::max(
             sparse.grid_cell, regular_grid(std::max<std::size_t>(4, grid.samples / 4), size_).cell);
         MeshPreviewer constrained(size_.x, size_.y, sparse);

@@ -164,6 +164,8 @@ void read_compare(const std::vector<std::string>& words, CommandLine& result) {
     app.set_help_flag("--help", "Show this text");
     const auto methods = method_names();
     options.methods = methods;
+    // Of interest to us alone: what the DetailMap is worth.
+    std::erase(options.methods, "constrained");
     add_out(app, options);
     app.add_option("--methods", options.methods,
                    "Comma-separated, of: " + CLI::detail::join(methods, ","))

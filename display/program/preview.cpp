@@ -49,13 +49,14 @@ class Preview {
     Exit run() {
         scene_.emplace(
             povray_.tracer_arguments(), options_.stall_timeout,
-            [&](const std::string& what) { line_.show(what); }, interrupted, edges());
+            [&](const std::string& what) { line_.show(what); }, interrupted, foreknowledge());
         open_window();
         lanes_.emplace(scene_->oracle());
         main_.emplace(options_.method, *scene_, lanes_->lane(0));
         if (!options_.log.empty()) log_.emplace(options_.log);
-        // A run of so many samples shall come out the same each time, however fast edges are found.
-        if (options_.samples) scene_->wait_for_edges([this] { return stopped_early(); });
+        // A run of so many samples shall come out the same each time, however fast all that is
+        // found.
+        if (options_.samples) scene_->wait_for_foreknowledge([this] { return stopped_early(); });
         while (work()) look();
         finish();
         return interrupted() ? Exit::interrupted : Exit::success;
@@ -84,10 +85,14 @@ class Preview {
         }
     }
 
-    std::optional<EdgeFinding> edges() const {
-        const bool beside = options_.beside != "none" && method_wants_edges(beside_method());
-        if (!beside && !method_wants_edges(options_.method)) return std::nullopt;
-        return EdgeFinding{.mirror_depth = options_.mirror_depth};
+    Foreknowledge foreknowledge() const {
+        MethodNeeds needs = method_needs(options_.method);
+        if (options_.beside != "none") {
+            const MethodNeeds beside = method_needs(beside_method());
+            needs.edges |= beside.edges;
+            needs.items |= beside.items;
+        }
+        return foreknowledge_for(needs, options_.mirror_depth, options_.backend);
     }
 
     bool stopped_early() const { return interrupted() || (window_ && window_->controls().closed); }
@@ -212,6 +217,8 @@ class Preview {
     void write_log() {
         log_->write(main_->standing());
         if (const auto report = scene_->take_edge_report())
+            log_->write_event(scene_->time_s(), *report);
+        if (const auto report = scene_->take_item_report())
             log_->write_event(scene_->time_s(), *report);
         const auto& faults = scene_->oracle().faults();
         for (; faults_logged_ < faults.size(); ++faults_logged_)

@@ -16,15 +16,17 @@ class StrategyRun {
    public:
     StrategyRun(const std::string& method, TracedScene& scene, SampleOracle& oracle)
         : scene_(scene),
-          previewer_(make_previewer(method, scene.description().width, scene.description().height)),
+          previewer_(make_previewer(method, scene.frame())),
           session_(*previewer_, oracle),
-          wants_edges_(previewer_->wants_edges()) {
+          wants_edges_(previewer_->wants_edges()),
+          wants_items_(previewer_->wants_items()) {
         if (wants_edges_) scene_.claim_edges();
     }
 
     Session& session() { return session_; }
-    /// Session::advance, with the edges that have become known since.
+    /// Session::advance, with what has become known without tracing since.
     bool advance(std::chrono::nanoseconds patience) {
+        if (wants_items_) take_items();
         if (wants_edges_) take_edges();
         return session_.advance(patience);
     }
@@ -42,6 +44,11 @@ class StrategyRun {
     }
 
    private:
+    void take_items() {
+        if (!scene_.items_finished()) return;
+        if (const ItemBuffer* items = scene_.items()) previewer_->accept_items(*items);
+        wants_items_ = false;
+    }
     void take_edges() {
         wants_edges_ = previewer_->wants_edges();
         if (!wants_edges_) return scene_.release_edges();
@@ -54,7 +61,7 @@ class StrategyRun {
     TracedScene& scene_;
     std::unique_ptr<Previewer> previewer_;
     Session session_;
-    bool wants_edges_ = false;
+    bool wants_edges_ = false, wants_items_ = false;
     std::size_t edges_taken_ = 0;  // of the scene's
 };
 

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 
@@ -68,31 +69,87 @@ std::string left_out(const Geometry& geometry) {
 
 }  // namespace
 
+Foreknowledge foreknowledge_for(const MethodNeeds& needs, int mirror_depth, Backend backend) {
+    Foreknowledge result;
+    if (needs.edges) result.edges = EdgeFinding{.mirror_depth = mirror_depth};
+    if (needs.items) result.items = backend;
+    return result;
+}
+
 TracedScene::TracedScene(std::vector<std::string> povray_arguments, double stall_timeout_s,
                          const std::function<void(const std::string&)>& report,
                          const std::function<bool()>& interrupted,
-                         const std::optional<EdgeFinding>& edges)
-    : oracle_(settings(std::move(povray_arguments), stall_timeout_s, edges.has_value())),
+                         const Foreknowledge& foreknowledge)
+    : item_search_(foreknowledge.items ? std::make_unique<ItemSearch>(*foreknowledge.items)
+                                       : nullptr),
+      oracle_(settings(std::move(povray_arguments), stall_timeout_s,
+                       foreknowledge.edges || foreknowledge.items)),
       description_(oracle_.wait_for_scene(
           [&](const report::Progress& progress) { report(sentence(progress)); }, interrupted)),
-      edge_finding_(edges) {
+      edge_finding_(foreknowledge.edges) {
     parsed_ = Clock::now();
 }
 
+ImageFrame TracedScene::frame() const {
+    return {description_.width, description_.height, description_.camera.blur_samples == 0};
+}
+
+/// Both searches begin with the scene as it can be drawn; it is made once, in a thread of its own.
+void TracedScene::take_geometry() {
+    if (drawable_.valid() || !(edge_finding_ || item_search_)) return;
+    std::optional<Geometry> geometry = oracle_.take_geometry();
+    if (!geometry) return;
+    left_out_ = left_out(*geometry);
+    has_images_ = !geometry->images.empty();
+    const auto make = [geometry = std::move(*geometry), this]() -> ItemSearch::Scene {
+        std::optional<DrawableScene> scene = drawable_scene(geometry, description_);
+        if (!scene) return nullptr;
+        return std::make_shared<const DrawableScene>(std::move(*scene));
+    };
+    drawable_ = std::async(std::launch::async, make).share();
+    if (edge_finding_)
+        edge_search_.emplace(
+            [scene = drawable_]() -> std::optional<PolygonScene> {
+                if (!scene.get()) return std::nullopt;
+                return scene.get()->polygons;
+            },
+            *edge_finding_);
+}
+
+/// The item buffer waits for the images on its surfaces, which come after all else.
+void TracedScene::draw_items() {
+    if (items_begun_ || !drawable_.valid()) return;
+    std::optional<std::vector<ImageTexels>> images;
+    if (has_images_ && !(images = oracle_.take_images())) return;
+    items_begun_ = true;
+    if (!images) return item_search_->begin([scene = drawable_] { return scene.get(); });
+    item_search_->begin([scene = drawable_, images = std::move(*images)]() -> ItemSearch::Scene {
+        if (!scene.get()) return nullptr;
+        auto with_images = std::make_shared<DrawableScene>(*scene.get());
+        with_images->images = images;
+        return with_images;
+    });
+}
+
 const std::vector<EdgeChain>& TracedScene::edges() {
-    if (!edge_finding_) return edges_;
-    if (!edge_search_) {
-        std::optional<Geometry> geometry = oracle_.take_geometry();
-        if (!geometry) return edges_;
-        left_out_ = left_out(*geometry);
-        edge_search_.emplace([geometry = std::move(*geometry),
-                              this] { return polygon_scene(geometry, description_); },
-                             *edge_finding_);
-    }
+    take_geometry();
+    if (!edge_search_) return edges_;
     std::vector<EdgeChain> chains = edge_search_->take();
     edges_.insert(edges_.end(), std::make_move_iterator(chains.begin()),
                   std::make_move_iterator(chains.end()));
     return edges_;
+}
+
+bool TracedScene::items_finished() {
+    if (!item_search_) return true;
+    take_geometry();
+    draw_items();
+    return item_search_->finished();
+}
+
+const ItemBuffer* TracedScene::items() {
+    if (!items_finished() || !item_search_ || !item_search_->result().items) return nullptr;
+    return &*item_search_->result().items;
 }
 
 void TracedScene::release_edges() {
@@ -102,12 +159,29 @@ void TracedScene::release_edges() {
     if (edges_too_late_) edge_search_.reset();
 }
 
-void TracedScene::wait_for_edges(const std::function<bool()>& interrupted) {
-    if (!edge_finding_) return;
+void TracedScene::wait_for_foreknowledge(const std::function<bool()>& interrupted) {
+    constexpr std::chrono::milliseconds patience{50};
+    if (!edge_finding_ && !item_search_) return;
     oracle_.wait_for_geometry(interrupted);
-    for (edges(); !edge_search_->finished() && !interrupted(); edges())
-        edge_search_->wait_for(std::chrono::milliseconds(50));
+    take_geometry();
+    if (item_search_ && has_images_) oracle_.wait_for_images(interrupted);
+    while (!items_finished() && !interrupted()) item_search_->wait_for(patience);
+    for (edges(); edge_search_ && !edge_search_->finished() && !interrupted(); edges())
+        edge_search_->wait_for(patience);
     edges();
+}
+
+std::optional<std::string> TracedScene::take_item_report() {
+    if (items_reported_ || !item_search_ || !items_finished()) return std::nullopt;
+    items_reported_ = true;
+    const ItemSearch::Result& result = item_search_->result();
+    if (!result.fault.empty()) return "no item buffer: " + result.fault;
+    if (!result.items) return "no item buffer: " + why_not_straight(description_.camera);
+    const auto& surfaces = result.items->surfaces;
+    const auto unknown = std::count(surfaces.begin(), surfaces.end(), ItemBuffer::unknown);
+    return fmt::format(
+        "item buffer drawn in {:.3f} s: {:.2f} % of the pixels known", result.seconds,
+        100 - 100. * double(unknown) / double(std::max<std::size_t>(1, surfaces.size())));
 }
 
 std::optional<std::string> TracedScene::take_edge_report() {

@@ -3,27 +3,40 @@
 
 #include <chrono>
 #include <functional>
+#include <future>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "adapter/povray_oracle.h"
 #include "core/edge_search.h"
+#include "core/methods.h"
+#include "display/item_search.h"
 
 namespace povpreview {
+
+/// What is to be found out about a scene without tracing; nothing by default.
+struct Foreknowledge {
+    std::optional<EdgeFinding> edges;
+    std::optional<Backend> items;  ///< the GL that draws the item buffer
+};
+
+Foreknowledge foreknowledge_for(const MethodNeeds& needs, int mirror_depth, Backend backend);
 
 /// A scene in a tracer of its own, parsed, and the clocks that run since.
 class TracedScene {
    public:
     /// Starts a tracer and waits for the end of the parse; `report` is told what it does
-    /// ("parsing, 12,000 tokens"), `interrupted` asked whether to give up. Without `edges` the
-    /// scene's geometry is not asked for, and there are none. Throws Error.
+    /// ("parsing, 12,000 tokens"), `interrupted` asked whether to give up. Without foreknowledge
+    /// the scene's geometry is not asked for. Throws Error.
     TracedScene(std::vector<std::string> povray_arguments, double stall_timeout_s,
                 const std::function<void(const std::string&)>& report,
-                const std::function<bool()>& interrupted, const std::optional<EdgeFinding>& edges);
+                const std::function<bool()>& interrupted, const Foreknowledge& foreknowledge);
 
     PovrayOracle& oracle() { return oracle_; }
     const SceneDescription& description() const { return description_; }
+    ImageFrame frame() const;
 
     /// The edges known by now without tracing, in the order of their coming. They are found beside
     /// everything else, as soon as the geometry has come.
@@ -31,8 +44,14 @@ class TracedScene {
     /// Who has a use for edges claims them; when all have released them again, no more are found.
     void claim_edges() { ++edge_claims_; }
     void release_edges();
-    /// Waits until all of them are known, or `interrupted`.
-    void wait_for_edges(const std::function<bool()>& interrupted);
+    /// What is seen in each pixel, known without tracing; null if it is not known, or not yet.
+    const ItemBuffer* items();
+    /// Nothing more will come of items().
+    bool items_finished();
+    /// Waits until all of both are known, or `interrupted`.
+    void wait_for_foreknowledge(const std::function<bool()>& interrupted);
+    /// What there is to say about the item buffer when that is known, as a sentence; once.
+    std::optional<std::string> take_item_report();
     /// What there is to say about them when all are known, as a sentence; once.
     std::optional<std::string> take_edge_report();
 
@@ -63,9 +82,16 @@ class TracedScene {
     Clock::time_point launched_ = Clock::now(), parsed_;
     double paused_s_ = 0;
     std::optional<Clock::time_point> paused_at_;
+    std::unique_ptr<ItemSearch> item_search_;  // before the tracer: made ready while that parses
     PovrayOracle oracle_;
     const SceneDescription& description_;
 
+    void take_geometry();
+    void draw_items();
+
+    bool items_begun_ = false, items_reported_ = false;
+    std::shared_future<ItemSearch::Scene> drawable_;  // valid when the geometry has come
+    bool has_images_ = false;
     std::optional<EdgeFinding> edge_finding_;
     std::vector<EdgeChain> edges_;
     std::optional<EdgeSearch> edge_search_;

@@ -17,16 +17,29 @@ struct FunctionImage {
     std::function<glm::vec3(glm::dvec2)> colour;
     std::function<std::uint32_t(glm::dvec2)> surface = [](glm::dvec2) { return 1u; };
     std::function<bool(glm::dvec2)> fails = [](glm::dvec2) { return false; };
+    /// What the light on the first surface is multiplied by.
+    std::function<glm::vec3(glm::dvec2)> albedo = [](glm::dvec2) { return glm::vec3(1); };
+
+    /// What rays cost; 0: not known, and so not worth a guess.
+    std::uint32_t full_ns = 0, albedo_ns = 0;
 
     Sample sample(const Request& request) const {
         Sample sample;
         sample.position = request.position;
         sample.kind = request.kind;
+        sample.cost_ns = request.kind == RayKind::full ? full_ns : albedo_ns;
         sample.failed = fails(request.position);
         if (sample.failed) return sample;
         sample.surface = surface(request.position);
         sample.signature.primary = sample.surface;
-        if (request.kind == RayKind::full) sample.colour = colour(request.position);
+        if (request.kind != RayKind::probe) sample.albedo = albedo(request.position);
+        if (request.kind != RayKind::full) return sample;
+        sample.colour = colour(request.position);
+        for (int k = 0; k < 3; ++k)
+            if (sample.albedo[k] > 0)
+                sample.illumination[k] = sample.colour[k] / sample.albedo[k];
+            else
+                sample.remainder[k] = sample.colour[k];
         return sample;
     }
 };

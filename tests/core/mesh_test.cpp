@@ -19,9 +19,16 @@ namespace {
 using glm::dvec2;
 using glm::vec3;
 
+Sample shown(vec3 colour) {
+    Sample sample;
+    sample.colour = colour;
+    sample.surface = 1;
+    return sample;
+}
+
 VertexId add(Mesh& mesh, dvec2 p, vec3 colour) {
     const VertexId v = mesh.insert(p, VertexId{0}).vertex;
-    mesh.answer(mesh.promise(v, p), colour, 1);
+    mesh.answer(mesh.promise(v, p), shown(colour));
     return v;
 }
 
@@ -35,7 +42,7 @@ void answer_sides(Mesh& mesh, Colour colour) {
         mesh.missing_sides(v, missing);
         for (const Mesh::MissingSide& side : missing)
             if (const auto sample = mesh.promise_side(v, side.side))
-                mesh.answer(*sample, colour(mesh.sample(*sample).position), 1);
+                mesh.answer(*sample, shown(colour(mesh.sample(*sample).position)));
     }
 }
 

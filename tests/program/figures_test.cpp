@@ -12,7 +12,7 @@ namespace {
 /// grid.
 std::size_t grid_of(const RegularGrid& grid, glm::ivec2 size) {
     MeshPreviewer previewer(size.x, size.y,
-                            {.constraints = false, .grid_cell = grid.cell, .dense = 2});
+                            {.constraints = false, .detail = false, .grid_cell = grid.cell, .dense = 2});
     std::size_t asked = 0;
     while (previewer.next()) ++asked;
     return asked;

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "core/detail/detail_map.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace povpreview {
+
+DetailMap::DetailMap(int width, int height)
+    : width_(width),
+      height_(height),
+      items_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), unknown),
+      states_(items_.size(), Albedo::wanted),
+      told_(items_.size()) {}
+
+Pixel DetailMap::pixel_at(glm::dvec2 position) const {
+    const int x = std::clamp(static_cast<int>(std::floor(position.x)), 0, width_ - 1);
+    const int y = std::clamp(static_cast<int>(std::floor(position.y)), 0, height_ - 1);
+    return static_cast<Pixel>(y) * static_cast<Pixel>(width_) + static_cast<Pixel>(x);
+}
+
+void DetailMap::set_item(Pixel pixel, std::uint32_t item) {
+    known_ += (item != unknown) - (items_[pixel] != unknown);
+    items_[pixel] = item;
+}
+
+void DetailMap::set_albedo(Pixel pixel, const glm::vec3& albedo) {
+    if (albedos_.empty()) albedos_.resize(items_.size());
+    albedos_known_ += states_[pixel] != Albedo::known;
+    states_[pixel] = Albedo::known;
+    albedos_[pixel] = albedo;
+}
+
+void DetailMap::accept(const ItemBuffer& drawn, ItemNumbers& numbers) {
+    assert(drawn.width == width_ && drawn.height == height_);
+    // Neighbours mostly show the same surface.
+    std::uint32_t last_surface = ItemBuffer::unknown, last_item = unknown;
+    for (Pixel pixel = 0; pixel < items_.size(); ++pixel) {
+        const std::uint32_t surface = drawn.surfaces[pixel];
+        if (told_[pixel] || surface == ItemBuffer::unknown) continue;
+        if (surface != last_surface) last_item = numbers.of(last_surface = surface);
+        set_item(pixel, last_item);
+        switch (drawn.kinds[pixel]) {
+            case Look::Kind::plain:
+                states_[pixel] = Albedo::constant;
+                break;
+            case Look::Kind::image:
+                set_albedo(pixel, drawn.albedos[pixel]);
+                break;
+            case Look::Kind::traced:
+                break;
+            case Look::Kind::mixed:
+                states_[pixel] = Albedo::mixed;
+                break;
+        }
+    }
+}
+
+void DetailMap::accept_albedo(Pixel pixel, const Sample& sample, ItemNumbers& numbers) {
+    told_[pixel] = true;
+    const bool usable = !sample.failed && std::isfinite(sample.albedo.x) &&
+                        std::isfinite(sample.albedo.y) && std::isfinite(sample.albedo.z);
+    set_item(pixel, usable ? numbers.of(sample.surface) : unknown);
+    if (usable)
+        set_albedo(pixel, sample.albedo);
+    else
+        states_[pixel] = Albedo::mixed;
+}
+
+void DetailMap::distrust(Pixel pixel) {
+    ++contradicted_;
+    forget_square(pixel);
+}
+
+void DetailMap::forget_square(Pixel pixel) {
+    const auto width = static_cast<Pixel>(width_), height = static_cast<Pixel>(height_);
+    constexpr Pixel side = BfSquares::side;
+    const Pixel left = pixel % width / side * side, top = pixel / width / side * side;
+    for (Pixel y = top; y < std::min(top + side, height); ++y)
+        for (Pixel x = left; x < std::min(left + side, width); ++x) {
+            const Pixel p = y * width + x;
+            if (told_[p]) continue;
+            told_[p] = true;
+            set_item(p, unknown);
+            albedos_known_ -= states_[p] == Albedo::known;
+            states_[p] = Albedo::mixed;
+        }
+}
+
+std::vector<DetailMap::Extent> DetailMap::extents(const ItemNumbers& numbers) const {
+    std::vector<Extent> extents(numbers.size());
+    std::vector<Pixel> longest(extents.size());
+    const auto width = static_cast<Pixel>(width_);
+    for (Pixel row = 0; row < items_.size(); row += width)
+        for (Pixel x = 0; x < width;) {
+            const std::uint32_t item = items_[row + x];
+            const Pixel start = x;
+            while (x < width && items_[row + x] == item) ++x;
+            if (item == unknown) continue;
+            extents[item].pixels += x - start;
+            if (x - start <= longest[item]) continue;
+            longest[item] = x - start;
+            extents[item].middle = row + (start + x) / 2;
+        }
+    return extents;
+}
+
+}  // namespace povpreview

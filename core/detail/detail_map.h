@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <unordered_map>
+#include <vector>
+
+#include "core/bf_squares.h"
+#include "core/detail/item_buffer.h"
+#include "core/oracle.h"
+
+namespace povpreview {
+
+/// Numbers surfaces from 0 on, in the order in which they are met: an item is a surface by number.
+class ItemNumbers {
+   public:
+    std::uint32_t of(std::uint32_t surface) {
+        return numbers_.try_emplace(surface, static_cast<std::uint32_t>(numbers_.size()))
+            .first->second;
+    }
+    std::size_t size() const { return numbers_.size(); }
+
+   private:
+    std::unordered_map<std::uint32_t, std::uint32_t> numbers_;
+};
+
+/// What is known of each pixel without a full sample of it: the surface that is seen there, and
+/// that surface's albedo where it varies (paper, section 2). It comes from an item buffer, from
+/// albedo rays, or from both; where a ray says otherwise, the ray is right.
+class DetailMap {
+   public:
+    static constexpr std::uint32_t unknown = 0xffffffff;  ///< item: only tracing can tell
+
+    enum class Albedo : std::uint8_t {
+        constant,  ///< one colour all over the surface: nothing to be told apart from light
+        known,
+        wanted,  ///< an albedo ray would tell
+        mixed    ///< albedo alone does not explain the surface's detail
+    };
+
+    /// Nothing is known.
+    DetailMap(int width, int height);
+
+    /// Takes what was drawn, but where rays have told already. Sizes must agree.
+    void accept(const ItemBuffer& drawn, ItemNumbers& numbers);
+    /// Takes an albedo ray through a pixel's centre.
+    void accept_albedo(Pixel pixel, const Sample& sample, ItemNumbers& numbers);
+    /// Whether something else is known of a pixel than the item that a full sample of it met.
+    bool contradicts(Pixel pixel, std::uint32_t item) const {
+        return items_[pixel] != unknown && items_[pixel] != item;
+    }
+    /// Makes the pixel's square unreliable: nothing is known there any more.
+    void distrust(Pixel pixel);
+
+    Pixel pixel_at(glm::dvec2 position) const;  ///< clamped to the image
+    std::uint32_t item(Pixel pixel) const { return items_[pixel]; }
+    Albedo albedo_state(Pixel pixel) const { return states_[pixel]; }
+    /// Whether an albedo ray would tell anything new.
+    bool wants_albedo(Pixel pixel) const { return states_[pixel] == Albedo::wanted; }
+    const glm::vec3& albedo(Pixel pixel) const { return albedos_[pixel]; }
+
+    std::size_t known() const { return known_; }                ///< pixels whose surface is known
+    std::size_t albedos() const { return albedos_known_; }      ///< pixels whose albedo is known
+    std::size_t contradicted() const { return contradicted_; }  ///< samples that contradicted
+
+    const std::vector<std::uint32_t>& item_pixels() const { return items_; }
+    const std::vector<Albedo>& albedo_states() const { return states_; }
+    /// Linear; empty as long as none is known.
+    const std::vector<glm::vec3>& albedo_pixels() const { return albedos_; }
+
+    /// A pixel well inside of what is seen of each item, and how many pixels that is.
+    struct Extent {
+        Pixel middle = 0;  ///< of the item's longest run of pixels in a row
+        std::uint32_t pixels = 0;
+    };
+    std::vector<Extent> extents(const ItemNumbers& numbers) const;
+
+   private:
+    void forget_square(Pixel pixel);
+    void set_item(Pixel pixel, std::uint32_t item);
+    void set_albedo(Pixel pixel, const glm::vec3& albedo);
+
+    int width_, height_;
+    std::vector<std::uint32_t> items_;
+    std::vector<Albedo> states_;
+    std::vector<glm::vec3> albedos_;
+    std::vector<bool> told_;  // by a ray
+    std::size_t known_ = 0, albedos_known_ = 0, contradicted_ = 0;
+};
+
+}  // namespace povpreview

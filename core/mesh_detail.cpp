@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+//
+// The mesh previewer's dealings with the DetailMap: what is known of each pixel beforehand, and
+// what samples and pictures make of it.
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "core/detail/edge_detail.h"
+#include "core/mesh_previewer.h"
+
+namespace povpreview {
+
+namespace {
+
+/// Smallest item that gets a sample before refinement finds it, in pixels, and how many items get
+/// one at most, as a share of all pixels.
+constexpr std::uint32_t smallest_seed = 12;
+constexpr double seed_share = .005;
+
+/// Anchors of an item at most: they are looked through pixel by pixel.
+constexpr std::uint32_t most_anchors = 32;
+
+/// Edges between colours nearer than this (colour_distance()) are not looked into for albedo.
+constexpr float least_jump = 4e-4f;
+/// Where light differs by less than this share of what colours do, the albedo makes the rest.
+constexpr float explained_share = .25f;
+/// The dearest albedo rays, against full samples, that are worth having: where the albedo is known
+/// to vary, and where nothing is known but that colours differ.
+constexpr double dearest_albedo = .6, dearest_look = .06;
+
+bool finite(const glm::vec3& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+}  // namespace
+
+/// Pictures go on showing the detail as it was.
+DetailMap& MeshPreviewer::detail_to_change() {
+    if (!detail_)
+        detail_ = std::make_shared<DetailMap>(width_, height_);
+    else if (detail_.use_count() > 1)
+        detail_ = std::make_shared<DetailMap>(*detail_);
+    mesh_.show_detail(detail_.get());
+    return *detail_;
+}
+
+void MeshPreviewer::accept_items(const ItemBuffer& items) {
+    if (!options_.detail || !refining_) return;
+    detail_to_change().accept(items, items_);
+    const auto varies = [](Look::Kind kind) {
+        return kind == Look::Kind::image || kind == Look::Kind::traced;
+    };
+    textured_ = textured_ || std::any_of(items.kinds.begin(), items.kinds.end(), varies);
+    // The largest items first, as far as they are worth it.
+    const std::vector<DetailMap::Extent> extents = detail_->extents(items_);
+    std::vector<std::uint32_t> order;
+    for (std::uint32_t item = 0; item < extents.size(); ++item)
+        if (extents[item].pixels >= smallest_seed) order.push_back(item);
+    const auto larger = [&](std::uint32_t a, std::uint32_t b) {
+        return extents[a].pixels > extents[b].pixels;
+    };
+    std::stable_sort(order.begin(), order.end(), larger);
+    order.resize(std::min(order.size(), static_cast<std::size_t>(
+                                            seed_share * static_cast<double>(squares_.pixels()))));
+    std::reverse(order.begin(), order.end());
+    seeds_.clear();
+    for (std::uint32_t item : order) seeds_.push_back(extents[item].middle);
+    // Edges that were light may cross items of which nothing is known.
+    const Triangulation& t = mesh_.triangulation();
+    for (std::uint32_t v = 0; v < t.vertex_ids(); ++v)
+        if (t.alive(VertexId{v})) queue_edges(VertexId{v});
+}
+
+std::optional<Request> MeshPreviewer::next_seed() {
+    while (!seeds_.empty()) {
+        const Pixel pixel = seeds_.back();
+        seeds_.pop_back();
+        if (squares_.state(pixel) == BfSquares::State::unsampled)
+            return request({Pending::Use::vertex, pixel, recent_});
+    }
+    return std::nullopt;
+}
+
+/// The number of the surface that a sample met. Where something else was thought to be there, the
+/// sample is right.
+std::uint32_t MeshPreviewer::item_seen(const Sample& sample) {
+    if (!options_.detail || !refining_) return DetailMap::unknown;
+    const std::uint32_t item = items_.of(sample.surface);
+    // A one-sided sample does not lie in the middle of a pixel, for which alone the map speaks.
+    const Pixel pixel = squares_.pixel_at(sample.position);
+    if (detail_ && sample.position == squares_.centre(pixel) && detail_->contradicts(pixel, item))
+        detail_to_change().distrust(pixel);
+    return item;
+}
+
+/// Whether a sample's shading was asked for and is sound.
+bool MeshPreviewer::shaded(const Sample& sample) const {
+    return contains(parts(), Parts::shading) && sample.surface != 0 && finite(sample.albedo) &&
+           finite(sample.illumination) && finite(sample.remainder);
+}
+
+/// Among the first samples every some albedo rays, so that their cost is known as well.
+std::optional<Request> MeshPreviewer::next_trial() {
+    constexpr std::size_t full_to_a_trial = 8;
+    if (!options_.detail || trials_ * full_to_a_trial >= grid_asked_) return std::nullopt;
+    const Pixel pixel = grid_[trials_++ * full_to_a_trial];
+    pending_.push_back({Pending::Use::albedo, pixel});
+    return Request{squares_.centre(pixel), RayKind::albedo};
+}
+
+/// Has the albedo fetched around an edge that is heavy for want of it, where that is cheaper than
+/// the samples that would be needed instead.
+void MeshPreviewer::consider_albedos(VertexId a, VertexId b) {
+    if (!options_.detail || !cost_known()) return;
+    const SampleId s = mesh_.corner(a, b, true), t = mesh_.corner(b, a, false);
+    if (!s.valid() || !t.valid()) return;
+    const VertexSample &p = mesh_.sample(s), &q = mesh_.sample(t);
+    if (p.state != VertexSample::State::known || q.state != VertexSample::State::known) return;
+    const float jump = colour_distance(p.encoded, q.encoded);
+    if (jump < least_jump) return;
+    const bool explained =
+        p.item == q.item && p.shaded && q.shaded && light_distance(p, q) < explained_share * jump;
+    textured_ = textured_ || explained;
+    if (albedo_price_ > (explained ? dearest_albedo : dearest_look)) return;
+    const glm::dvec2 from = p.position, way = q.position - p.position;
+    const int steps = static_cast<int>(std::ceil(glm::length(way) / (BfSquares::side / 2.)));
+    for (int i = 0; i <= steps; ++i)
+        want_albedos(
+            squares_.square_of(squares_.pixel_at(from + way * (double(i) / std::max(1, steps)))));
+}
+
+void MeshPreviewer::want_albedos(std::size_t square) {
+    if (albedo_asked_[square] || squares_.filling(square)) return;
+    albedo_asked_[square] = true;
+    albedo_squares_.push_back(square);
+}
+
+std::optional<Request> MeshPreviewer::next_albedo() {
+    while (!albedo_squares_.empty()) {
+        const std::size_t square = albedo_squares_.front();
+        while (albedo_scanned_ < BfSquares::side * BfSquares::side) {
+            const auto pixel = squares_.pixel_in(square, albedo_scanned_++);
+            if (!pixel || (detail_ && !detail_->wants_albedo(*pixel))) continue;
+            pending_.push_back({Pending::Use::albedo, *pixel});
+            return Request{squares_.centre(*pixel), RayKind::albedo};
+        }
+        albedo_squares_.pop_front();
+        albedo_scanned_ = 0;
+    }
+    return std::nullopt;
+}
+
+void MeshPreviewer::accept_albedo(Pixel pixel, const Sample& sample) {
+    if (!cost_known()) trial_costs_.push_back(sample.cost_ns);
+    detail_to_change().accept_albedo(pixel, sample, items_);
+}
+
+void MeshPreviewer::draw_detail(Picture& picture) const {
+    if (!detail_) return;
+    picture.detail = detail_;
+    mesh_.draw_lights(picture);
+    mesh_.draw_anchors(picture, items_.size(), most_anchors);
+}
+
+}  // namespace povpreview
