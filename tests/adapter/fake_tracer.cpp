@@ -14,6 +14,10 @@
 //                  scene_again, hello_again, early_answer ...
 //   geometry=NAME  sends geometry after the scene: two chunks, or NAME is twice (after its end),
 //                  early (before the scene), wrong (an index out of range), half (dies within it)
+//   texels=NAME    sends the texels of both chunks' images after the geometry, in parts; or NAME is
+//                  image (of another image), order (the second part first), many (one too many),
+//                  more (after all of them), half (dies within them), early (before the last
+//                  geometry)
 //   parse=NAME     ends before the scene: error, exit, kill, refuse, hang, slow, bad_version,
 //                  no_hello, bad_size, tiny
 //   stubborn       ignores SIGTERM and the end of the wire
@@ -67,6 +71,7 @@ class FakeTracer {
     bool read_orders(bool wait);
     void parse();
     void send_geometry() const;
+    void send_texels() const;
     void answer_one();
     Slice slice(const Order& order, std::uint32_t first, std::uint32_t count) const;
     void commit_fault(Slice& right);
@@ -101,6 +106,7 @@ FakeTracer::FakeTracer(int wire, int argc, char** argv) : wire_(wire) {
     if (!has("once")) return;
     if (std::ifstream(text("once"))) {
         if (has("geometry")) options_["geometry"] = "";
+        if (has("texels")) options_["texels"] = "";
         for (const char* fault : {"die_after", "die_at", "fault", "parse"}) options_.erase(fault);
     }
     std::ofstream(text("once")) << "lived\n";
@@ -172,9 +178,22 @@ void FakeTracer::send_geometry() const {
     Geometry geometry = small_geometry();
     send(geometry_frame(geometry, false));
     if (how == "half") die();
+    if (text("texels") == "early") send(texels_frame(0, 0, small_texels()));
     if (how == "wrong") geometry.corners.back() = 1000;
     send(geometry_frame(geometry, true));
     if (how == "twice") send(geometry_frame(geometry, true));
+    if (has("texels")) send_texels();
+}
+
+void FakeTracer::send_texels() const {
+    const std::string how = text("texels");
+    const std::vector<Texel> all = small_texels(), start(all.begin(), all.begin() + 4),
+                             end(all.begin() + 4, all.end());
+    send(texels_frame(how == "image" ? 1 : 0, how == "order" ? 4 : 0, start));
+    if (how == "half") die();
+    send(texels_frame(0, 4, how == "many" ? start : end));
+    send(texels_frame(1, 0, all));
+    if (how == "more") send(texels_frame(1, 6, end));
 }
 
 Slice FakeTracer::slice(const Order& order, std::uint32_t first, std::uint32_t count) const {

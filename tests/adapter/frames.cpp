@@ -2,6 +2,7 @@
 #include "tests/adapter/frames.h"
 
 #include <cstring>
+#include <limits>
 #include <stdexcept>
 
 #include "adapter/wire_generated.h"
@@ -121,15 +122,92 @@ Bytes geometry_frame(const Geometry& geometry, bool last) {
                               flags);
     }
     Builder b;
+    const auto v = [](const glm::dvec3& p) { return wire::Vec3d(p.x, p.y, p.z); };
+    const auto frame_of = [&v](const glm::dmat4x3& m) {
+        return wire::Frame(v(m[0]), v(m[1]), v(m[2]), v(m[3]));
+    };
+    const auto box = [&v](const Bounds& bounds) {
+        return wire::Box(v(bounds.low), v(bounds.high));
+    };
+    std::vector<wire::Vec2f> uvs;
+    for (const glm::vec2& uv : geometry.corner_uvs) uvs.emplace_back(uv.x, uv.y);
+    std::vector<wire::Solid> solids;
+    std::vector<double> coefficients;
+    for (const Solid& solid : geometry.solids) {
+        solids.emplace_back(frame_of(solid.to_frame), static_cast<wire::SolidKind>(solid.kind));
+        const std::ptrdiff_t count = solid.kind == Solid::Kind::quadric ? 10
+                                     : solid.kind == Solid::Kind::torus ? 1
+                                                                        : 0;
+        coefficients.insert(coefficients.end(), solid.coefficients.begin(),
+                            solid.coefficients.begin() + count);
+    }
+    std::vector<wire::Piece> pieces;
+    for (const CurvedPiece& p : geometry.pieces)
+        pieces.emplace_back(p.solid, p.surface, p.material, p.conditions);
+    std::vector<wire::CurvedObject> objects;
+    for (const CurvedObject& o : geometry.objects) objects.emplace_back(box(o.bounds), o.pieces);
+    std::vector<wire::Box> unknown;
+    for (const Bounds& bounds : geometry.unknown) unknown.push_back(box(bounds));
+    std::vector<wire::Look> looks;
+    for (const auto& [material, look] : geometry.looks)
+        looks.emplace_back(
+            frame_of(look.image.to_map), material, look.image.image,
+            static_cast<wire::LookKind>(look.kind), static_cast<wire::Mapping>(look.image.mapping),
+            static_cast<wire::Interpolation>(look.image.interpolation), look.image.once);
+    std::vector<wire::ImageSize> images;
+    for (const ImageTexels& image : geometry.images) images.emplace_back(image.width, image.height);
     std::vector<flatbuffers::Offset<wire::LeftOut>> left_out;
     for (const Geometry::LeftOut& l : geometry.left_out)
-        left_out.push_back(wire::CreateLeftOutDirect(b, l.kind.c_str(), l.reason.c_str(), l.count,
-                                                     l.drawn));
-    return frame(b, wire::Report::Geometry,
-                 wire::CreateGeometryDirect(b, &points, &geometry.corners, &rings, &polygons,
-                                            &left_out, last)
-                     .Union());
+        left_out.push_back(
+            wire::CreateLeftOutDirect(b, l.kind.c_str(), l.reason.c_str(), l.count, l.drawn));
+    return frame(
+        b, wire::Report::Geometry,
+        wire::CreateGeometryDirect(b, &points, &geometry.corners, &rings, &polygons, &left_out,
+                                   last, &uvs, &solids, &coefficients, &geometry.conditions,
+                                   &pieces, &objects, &unknown, &looks, &images)
+            .Union());
 }
+
+Bytes texels_frame(std::uint32_t image, std::uint32_t first, const std::vector<Texel>& texels) {
+    std::vector<std::uint16_t> halves;
+    for (const Texel& texel : texels) halves.insert(halves.end(), texel.begin(), texel.end());
+    return raw_texels_frame(image, first, halves);
+}
+
+Bytes raw_texels_frame(std::uint32_t image, std::uint32_t first,
+                       const std::vector<std::uint16_t>& halves) {
+    Builder b;
+    return frame(b, wire::Report::Texels,
+                 wire::CreateTexelsDirect(b, image, first, &halves).Union());
+}
+
+std::vector<Texel> small_texels() {
+    std::vector<Texel> texels;
+    for (std::uint16_t i = 0; i < 6; ++i)
+        texels.push_back({i, static_cast<std::uint16_t>(100 * i), 0x3c00, 0x3c00});
+    return texels;
+}
+
+namespace {
+
+/// A cut torus and a quadric; something unknown; three looks.
+void add_curved_part(Geometry& geometry) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    const glm::dmat4x3 frame({1, 2, 3}, {4, 5, 6}, {7, 8, 10}, {.5, .25, 0});
+    geometry.solids = {{Solid::Kind::torus, frame, {.25}},
+                       {Solid::Kind::half_space, glm::dmat4x3(1), {}},
+                       {Solid::Kind::quadric, glm::dmat4x3(2), {1, 2, 3, 4, 5, 6, 7, 8, 9, -1}}};
+    geometry.conditions = {1, condition_not, 2, condition_or, 0};
+    geometry.pieces = {{0, 501, 1, 0, 4}, {1, 502, 2, 4, 1}, {2, 503, 1, 5, 0}};
+    geometry.objects = {{{{-1, -1, -1}, {1, 1, 1}}, 0, 2}, {{{0, 0, 0}, {infinity, 2, 2}}, 2, 1}};
+    geometry.unknown = {{{-infinity, 0, 0}, {infinity, 1, 1}}};
+    Look image{Look::Kind::image, {}};
+    image.image = {0, ImageLook::Mapping::toroidal, ImageLook::Interpolation::bicubic, true, frame};
+    geometry.looks = {{1, {Look::Kind::plain, {}}}, {2, image}, {3, {Look::Kind::traced, {}}}};
+    geometry.images = {{3, 2, {}}};
+}
+
+}  // namespace
 
 Geometry small_geometry() {
     Geometry geometry;
@@ -158,7 +236,10 @@ Geometry small_geometry() {
     face.mirror = .25;
     add({{1, 5, 4}}, face);
     add({{0, 3, 11, 8}, {12, 13, 14}}, Face{});
-    geometry.left_out = {{"sphere", "curved", 4}};
+    geometry.left_out = {{"sphere", "curved", 4, true}, {"blob", "curved", 1}};
+    for (std::size_t i = 0; i < geometry.corners.size(); ++i)
+        geometry.corner_uvs.emplace_back(.25f * static_cast<float>(i), 1.f);
+    add_curved_part(geometry);
     return geometry;
 }
 

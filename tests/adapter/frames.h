@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -35,6 +36,12 @@ Bytes answer_frame(const Slice& slice);
 /// A chunk of geometry, its indices and counts as they are, right or wrong. Of a polygon's face all
 /// but its corners is sent.
 Bytes geometry_frame(const Geometry& geometry, bool last);
+using Texel = std::array<std::uint16_t, 4>;
+Bytes texels_frame(std::uint32_t image, std::uint32_t first, const std::vector<Texel>& texels);
+Bytes raw_texels_frame(std::uint32_t image, std::uint32_t first,
+                       const std::vector<std::uint16_t>& halves);
+/// All texels of the image that small_geometry() names.
+std::vector<Texel> small_texels();
 /// Two triangles with a common edge and a square with a hole, and something left out.
 Geometry small_geometry();
 Bytes failure_frame(const std::string& message, const std::string& file, std::uint32_t line);

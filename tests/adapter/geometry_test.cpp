@@ -22,6 +22,52 @@ report::GeometryChunk decode(const Geometry& geometry, bool last = true) {
     return std::get<report::GeometryChunk>(decode_report(content));
 }
 
+void expect_equal(const Bounds& a, const Bounds& b) {
+    EXPECT_EQ(a.low, b.low);
+    EXPECT_EQ(a.high, b.high);
+}
+
+void expect_equal_solids(const Geometry& a, const Geometry& b) {
+    ASSERT_EQ(a.solids.size(), b.solids.size());
+    for (std::size_t i = 0; i < a.solids.size(); ++i) {
+        EXPECT_EQ(a.solids[i].kind, b.solids[i].kind);
+        EXPECT_EQ(a.solids[i].to_frame, b.solids[i].to_frame);
+        EXPECT_EQ(a.solids[i].coefficients, b.solids[i].coefficients);
+    }
+    EXPECT_EQ(a.conditions, b.conditions);
+    ASSERT_EQ(a.pieces.size(), b.pieces.size());
+    for (std::size_t i = 0; i < a.pieces.size(); ++i) {
+        const CurvedPiece &p = a.pieces[i], &q = b.pieces[i];
+        EXPECT_EQ(std::tie(p.solid, p.surface, p.material, p.first_condition, p.conditions),
+                  std::tie(q.solid, q.surface, q.material, q.first_condition, q.conditions));
+    }
+    ASSERT_EQ(a.objects.size(), b.objects.size());
+    for (std::size_t i = 0; i < a.objects.size(); ++i) {
+        expect_equal(a.objects[i].bounds, b.objects[i].bounds);
+        EXPECT_EQ(a.objects[i].first_piece, b.objects[i].first_piece);
+        EXPECT_EQ(a.objects[i].pieces, b.objects[i].pieces);
+    }
+    ASSERT_EQ(a.unknown.size(), b.unknown.size());
+    for (std::size_t i = 0; i < a.unknown.size(); ++i) expect_equal(a.unknown[i], b.unknown[i]);
+}
+
+void expect_equal_looks(const Geometry& a, const Geometry& b) {
+    ASSERT_EQ(a.looks.size(), b.looks.size());
+    for (std::size_t i = 0; i < a.looks.size(); ++i) {
+        EXPECT_EQ(a.looks[i].material, b.looks[i].material);
+        const Look &p = a.looks[i].look, &q = b.looks[i].look;
+        EXPECT_EQ(p.kind, q.kind);
+        EXPECT_EQ(std::tie(p.image.image, p.image.mapping, p.image.interpolation, p.image.once),
+                  std::tie(q.image.image, q.image.mapping, q.image.interpolation, q.image.once));
+        EXPECT_EQ(p.image.to_map, q.image.to_map);
+    }
+    ASSERT_EQ(a.images.size(), b.images.size());
+    for (std::size_t i = 0; i < a.images.size(); ++i) {
+        EXPECT_EQ(a.images[i].width, b.images[i].width);
+        EXPECT_EQ(a.images[i].height, b.images[i].height);
+    }
+}
+
 void expect_equal(const Geometry& a, const Geometry& b) {
     EXPECT_EQ(a.points, b.points);
     EXPECT_EQ(a.corners, b.corners);
@@ -51,7 +97,11 @@ void expect_equal(const Geometry& a, const Geometry& b) {
         EXPECT_EQ(a.left_out[i].kind, b.left_out[i].kind);
         EXPECT_EQ(a.left_out[i].reason, b.left_out[i].reason);
         EXPECT_EQ(a.left_out[i].count, b.left_out[i].count);
+        EXPECT_EQ(a.left_out[i].drawn, b.left_out[i].drawn);
     }
+    EXPECT_EQ(a.corner_uvs, b.corner_uvs);
+    expect_equal_solids(a, b);
+    expect_equal_looks(a, b);
 }
 
 TEST(GeometryOnTheWire, IsReadAsItWasWritten) {
@@ -79,6 +129,64 @@ TEST(GeometryOnTheWire, ContradictionsAreRefused) {
     refused([](Geometry& g) { g.polygons.pop_back(); });
     refused([](Geometry& g) { g.left_out.assign(5000, {"a", "b", 1}); });
     refused([](Geometry& g) { g.left_out[0].reason.assign(300, 'x'); });
+    refused([](Geometry& g) { g.corner_uvs.pop_back(); });
+    refused([](Geometry& g) { g.solids[1].kind = Solid::Kind{17}; });
+    refused([](Geometry& g) { g.pieces[2].solid = 3; });
+    refused([](Geometry& g) { g.pieces[1].conditions = 0xffffffff; });
+    refused([](Geometry& g) { g.pieces.pop_back(); });
+    refused([](Geometry& g) { g.objects[0].pieces = 4; });
+    refused([](Geometry& g) { g.objects.pop_back(); });
+    refused([](Geometry& g) { g.looks[0].look.kind = Look::Kind{4}; });
+    refused([](Geometry& g) { g.looks[0].look.image.mapping = ImageLook::Mapping{5}; });
+    refused([](Geometry& g) { g.looks[0].look.image.interpolation = ImageLook::Interpolation{4}; });
+    refused([](Geometry& g) { g.images[0].width = 0; });
+    refused([](Geometry& g) { g.images[0] = {4000, 4000, {}}; });
+    refused([](Geometry& g) { g.images[0] = {0xffffffff, 0xffffffff, {}}; });
+}
+
+TEST(GeometryOnTheWire, ConditionsThatDoNotRunAreRefused) {
+    const auto refused = [](std::vector<ConditionStep> steps) {
+        Geometry geometry = small_geometry();
+        geometry.conditions = steps;
+        geometry.pieces.resize(1);
+        geometry.pieces[0].conditions = static_cast<std::uint32_t>(steps.size());
+        geometry.objects.resize(1);
+        geometry.objects[0].pieces = 1;
+        try {
+            decode(geometry);
+        } catch (const WireFault&) {
+            return true;
+        }
+        return false;
+    };
+    EXPECT_FALSE(refused({}));
+    EXPECT_FALSE(refused({2}));
+    EXPECT_FALSE(refused({0, 1, condition_not, condition_and, 2, condition_or}));
+    EXPECT_TRUE(refused({3}));
+    EXPECT_TRUE(refused({condition_not}));
+    EXPECT_TRUE(refused({0, condition_and}));
+    EXPECT_TRUE(refused({0, 1}));
+    EXPECT_TRUE(refused({0, 1, -4}));
+    EXPECT_TRUE(refused({0, 1, std::numeric_limits<ConditionStep>::min()}));
+    std::vector<ConditionStep> deep(32, 0);
+    deep.insert(deep.end(), 31, condition_or);
+    EXPECT_FALSE(refused(deep));
+    deep.insert(deep.begin(), 0);
+    deep.push_back(condition_or);
+    EXPECT_TRUE(refused(deep));
+}
+
+TEST(TexelsOnTheWire, AreReadAsTheyWereWrittenOrRefused) {
+    const auto decode_texels = [](const fake::Bytes& frame) {
+        const fake::Bytes content(frame.begin() + 4, frame.end());
+        return std::get<report::Texels>(decode_report(content));
+    };
+    const report::Texels read = decode_texels(fake::texels_frame(7, 3, fake::small_texels()));
+    EXPECT_EQ(read.image, 7U);
+    EXPECT_EQ(read.first, 3U);
+    EXPECT_EQ(read.texels, fake::small_texels());
+    EXPECT_THROW(decode_texels(fake::raw_texels_frame(0, 0, {})), WireFault);
+    EXPECT_THROW(decode_texels(fake::raw_texels_frame(0, 0, {1, 2, 3, 4, 5})), WireFault);
 }
 
 TEST(GeometryOnTheWire, ReflectionIsAShareWhateverIsSent) {
@@ -161,6 +269,43 @@ TEST_F(GeometryOracleTest, InTheWrongPlaceOrOutOfRangeItEndsTheTracer) {
     }
 }
 
+TEST_F(GeometryOracleTest, TexelsComeAfterItOnce) {
+    PovrayOracle oracle(fake_tracer({"geometry", "texels"}));
+    oracle.wait_for_scene(nullptr, nullptr);
+    oracle.wait_for_images(nullptr);
+    EXPECT_TRUE(oracle.take_geometry());
+    const std::vector<ImageTexels> images = oracle.take_images().value();
+    ASSERT_EQ(images.size(), 2U);
+    for (const ImageTexels& image : images) {
+        EXPECT_EQ(image.width, 3U);
+        EXPECT_EQ(image.texels, fake::small_texels());
+    }
+    EXPECT_FALSE(oracle.take_images());
+    expect_right(trace(oracle, all_pixels(), Parts::colour), all_pixels(), Parts::colour);
+}
+
+TEST_F(GeometryOracleTest, TexelsAreCompleteThoughTheTracerDied) {
+    for (const char* how : {"texels=half", "die_after=100"}) {
+        PovrayOracle oracle(fake_tracer({"geometry", "texels", how, "once=" + fresh_file()}));
+        oracle.wait_for_scene(nullptr, nullptr);
+        oracle.wait_for_images(nullptr);
+        EXPECT_EQ(oracle.take_images().value().size(), 2U);
+        EXPECT_TRUE(oracle.take_geometry());
+        expect_right(trace(oracle, all_pixels(), Parts::colour), all_pixels(), Parts::colour);
+        EXPECT_EQ(oracle.statistics().restarts, 1U);
+        EXPECT_FALSE(oracle.take_images());
+    }
+}
+
+TEST_F(GeometryOracleTest, TexelsOutOfOrderEndTheTracer) {
+    for (const char* how : {"image", "order", "many", "more", "early"}) {
+        SCOPED_TRACE(how);
+        const std::string text =
+            error_of(fake_tracer({"geometry", std::string("texels=") + how}), Exit::tracer);
+        EXPECT_NE(text.find("texels"), std::string::npos) << text;
+    }
+}
+
 TEST_F(GeometryOracleTest, WaitingEndsWhenInterruptedOrSilent) {
     PovrayOracle interrupted(fake_tracer({}));
     interrupted.wait_for_scene(nullptr, nullptr);
@@ -206,6 +351,40 @@ TEST(PolygonSceneOfGeometry, PolygonsWithHolesAreCutIntoConvexFaces) {
     double sum = 0;
     for (std::size_t i = 2; i < scene->faces.size(); ++i) sum += area(*scene, scene->faces[i]);
     EXPECT_NEAR(sum, 6 - .24, 1e-12);
+}
+
+TEST(DrawableSceneOfGeometry, HasAllPartsWithTheirIndices) {
+    const Geometry both = complete();
+    const std::optional<DrawableScene> scene = drawable_scene(both, description());
+    ASSERT_TRUE(scene);
+    EXPECT_EQ(scene->polygons.faces.size(),
+              polygon_scene(both, description()).value().faces.size());
+    ASSERT_EQ(scene->corner_uvs.size(), scene->polygons.corners.size());
+    for (std::size_t i = 0; i < 3; ++i)
+        EXPECT_EQ(scene->corner_uvs[scene->polygons.faces[1].first + i],
+                  both.corner_uvs[both.rings[1].first + i]);
+    ASSERT_EQ(scene->solids.size(), 6U);
+    ASSERT_EQ(scene->pieces.size(), 6U);
+    EXPECT_EQ(scene->pieces[4].solid, 4U);
+    EXPECT_EQ(scene->pieces[4].first_condition, 9U);
+    EXPECT_EQ(scene->conditions[5], 4);
+    EXPECT_EQ(scene->conditions[6], condition_not);
+    EXPECT_EQ(scene->objects[3].first_piece, 5U);
+    EXPECT_EQ(scene->unknown.size(), 2U);
+    ASSERT_GE(scene->looks.size(), 4U);
+    EXPECT_EQ(scene->looks[0].kind, Look::Kind::mixed);
+    EXPECT_EQ(scene->looks[2].kind, Look::Kind::image);
+    EXPECT_EQ(scene->looks[3].kind, Look::Kind::traced);
+    EXPECT_EQ(scene->images.size(), 2U);
+}
+
+TEST(DrawableSceneOfGeometry, LooksOfWhatIsNotThereAreHarmless) {
+    Geometry geometry = small_geometry();
+    geometry.looks[1].look.image.image = 5;
+    geometry.looks[2].material = 0xfffffff0;
+    const DrawableScene scene = drawable_scene(geometry, description()).value();
+    EXPECT_LE(scene.looks.size(), 4U);
+    EXPECT_EQ(scene.looks[2].kind, Look::Kind::traced);
 }
 
 TEST(PolygonSceneOfGeometry, PointsThatAreNoNumbersLeaveTheOthersAlone) {

@@ -41,6 +41,34 @@ inline bool exercise_wire(std::span<const std::byte> stream, std::size_t chunk) 
             promise(polygon.first_ring <= geometry.rings.size() &&
                     polygon.rings <= geometry.rings.size() - polygon.first_ring &&
                     polygon.face.mirror >= 0 && polygon.face.mirror <= 1);
+        promise(geometry.corner_uvs.empty() ||
+                geometry.corner_uvs.size() == geometry.corners.size());
+        for (const CurvedPiece& piece : geometry.pieces) {
+            promise(piece.solid < geometry.solids.size() &&
+                    piece.first_condition <= geometry.conditions.size() &&
+                    piece.conditions <= geometry.conditions.size() - piece.first_condition);
+            std::size_t depth = piece.conditions == 0 ? 1 : 0;
+            for (std::uint32_t i = 0; i < piece.conditions; ++i) {
+                const ConditionStep step = geometry.conditions[piece.first_condition + i];
+                promise(step >= condition_or &&
+                        step < static_cast<std::int64_t>(geometry.solids.size()));
+                if (step >= 0) ++depth;
+                promise(depth >= (step < condition_not ? 2U : 1U) && depth <= 32);
+                if (step < condition_not) --depth;
+            }
+            promise(depth == 1);
+        }
+        for (const CurvedObject& object : geometry.objects)
+            promise(object.first_piece <= geometry.pieces.size() &&
+                    object.pieces <= geometry.pieces.size() - object.first_piece);
+        for (const Geometry::MaterialLook& look : geometry.looks)
+            promise(look.look.kind <= Look::Kind::mixed &&
+                    look.look.image.mapping <= ImageLook::Mapping::uv);
+        for (const ImageTexels& image : geometry.images)
+            promise(std::uint64_t{image.width} * image.height <= wire_max_texels);
+        Geometry twice = geometry;
+        twice.append(geometry);
+        promise(twice.pieces.size() == 2 * geometry.pieces.size());
     };
     FrameReader reader;
     try {

@@ -49,6 +49,7 @@ int main(int argc, char** argv) {
         {"progress", fake::progress_frame(2, 5, 9)},
         {"scene", fake::scene_frame(64, 48)},
         {"geometry", fake::geometry_frame(fake::small_geometry(), true)},
+        {"texels", fake::texels_frame(0, 0, fake::small_texels())},
         {"failure", fake::failure_frame("Parse Error: no", "x.pov", 3)},
         {"answer-colour", answer(RayKind::full, Parts::colour)},
         {"answer-everything", answer(RayKind::full, everything)},
