@@ -109,6 +109,7 @@ Seen see(const DrawableScene& scene, const Ray& ray, const NearestFace& face) {
     said.depth = face.depth;
     said.face = face.face;
     said.hits = {{face.depth, face.surface}};
+    for (const std::uint32_t other : face.others) said.hits.push_back({face.depth, other});
     for (const Bounds& box : scene.unknown) {
         const Stretch stretch = inside_box(box, ray);
         if (stretch.low <= stretch.high)
@@ -123,8 +124,13 @@ Seen see(const DrawableScene& scene, const Ray& ray, const NearestFace& face) {
             for (const double depth : crossings(scene.solids[piece.solid], ray)) {
                 if (depth < std::max(too_near, stretch.low - slack)) continue;
                 if (depth > stretch.high + slack) break;
-                if (!holds(scene, piece, ray.origin + depth * ray.direction)) continue;
+                const Holds shows = holds(scene, piece, ray.origin + depth * ray.direction);
+                if (shows == Holds::no) continue;
                 said.hits.push_back({depth, piece.surface});
+                if (shows == Holds::undecided) {
+                    said.undecided_from = std::min(said.undecided_from, depth);
+                    continue;
+                }
                 if (depth < said.depth) {
                     said.surface = piece.surface;
                     said.material = piece.material;
@@ -146,8 +152,11 @@ bool same(const Sample& probe, std::uint32_t surface, double depth) {
 }
 
 bool is_tied(const Sample& probe, const Seen& said) {
+    const double nearest =
+        probe.surface == 0 ? said.depth : std::min(said.depth, double(probe.depth));
+    if (said.undecided_from <= nearest + 1e-4 * (1 + nearest)) return true;
     return std::any_of(said.hits.begin(), said.hits.end(), [&](const auto& hit) {
-        return hit.second == probe.surface && hit.first <= said.depth + 1e-7 * (1 + said.depth);
+        return hit.second == probe.surface && hit.first <= said.depth + 1e-6 * (1 + said.depth);
     });
 }
 
@@ -166,25 +175,40 @@ std::vector<double> crossings(const Solid& solid, const Ray& ray) {
     return result;
 }
 
-bool is_inside(const Solid& solid, const glm::dvec3& point) {
-    return along(solid, solid.to_frame * glm::dvec4(point, 1), glm::dvec3(0))[0] <= 0;
+Holds is_inside(const Solid& solid, const glm::dvec3& point) {
+    constexpr double rounding = 1e-7;
+    const glm::dvec3 p = solid.to_frame * glm::dvec4(point, 1);
+    const double f = along(solid, p, glm::dvec3(0))[0];
+    double scale = 1;
+    if (solid.kind == Solid::Kind::half_space) {
+        scale += glm::length(point);
+    } else if (solid.kind == Solid::Kind::quadric) {
+        Solid terms = solid;
+        for (double& c : terms.coefficients) c = std::fabs(c);
+        scale = along(terms, glm::abs(p), glm::dvec3(0))[0];
+    }
+    if (std::fabs(f) <= rounding * scale) return Holds::undecided;
+    return f < 0 ? Holds::yes : Holds::no;
 }
 
-bool holds(const DrawableScene& scene, const CurvedPiece& piece, const glm::dvec3& point) {
-    std::vector<bool> stack;
+Holds holds(const DrawableScene& scene, const CurvedPiece& piece, const glm::dvec3& point) {
+    // In this order, not is what mirrors it, and is the lesser, or the greater.
+    std::vector<Holds> stack;
     for (std::uint32_t i = 0; i < piece.conditions; ++i) {
         const ConditionStep step = scene.conditions[piece.first_condition + i];
         if (step >= 0) {
             stack.push_back(is_inside(scene.solids[static_cast<std::size_t>(step)], point));
         } else if (step == condition_not) {
-            stack.back() = !stack.back();
+            if (stack.back() != Holds::undecided)
+                stack.back() = stack.back() == Holds::yes ? Holds::no : Holds::yes;
         } else {
-            const bool top = stack.back();
+            const Holds top = stack.back();
             stack.pop_back();
-            stack.back() = step == condition_and ? stack.back() && top : stack.back() || top;
+            stack.back() =
+                step == condition_and ? std::min(stack.back(), top) : std::max(stack.back(), top);
         }
     }
-    return stack.empty() || stack.back();
+    return stack.empty() ? Holds::yes : stack.back();
 }
 
 std::vector<Seen> seen_at(const DrawableScene& scene, std::span<const glm::dvec2> positions) {
@@ -203,7 +227,9 @@ DrawableAgreement compare_drawable(const DrawableScene& scene, std::span<const S
     std::vector<std::size_t> doubtful;
     for (std::size_t i = 0; i < probes.size(); ++i) {
         const Seen& said = all[i];
-        if (probes[i].failed) continue;
+        // What is as near as that POV-Ray itself sees or not, by kind of object.
+        const bool too_near_to_say = probes[i].surface != 0 && probes[i].depth < 2 * too_near;
+        if (probes[i].failed || too_near_to_say) continue;
         ++result.probes;
         if (!said.known()) {
             ++result.unknown;

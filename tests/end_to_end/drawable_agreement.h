@@ -43,8 +43,10 @@ struct Seen {
     double unknown_from = 1e30;  ///< depth of the nearest box around something unknown
     bool curved() const { return surface != 0 && face == nullptr; }
     bool known() const { return unknown_from > depth || unknown_from > 1e29; }
-    std::vector<std::pair<double, std::uint32_t>>
-        hits;  ///< the nearest of the faces and each piece
+    /// The nearest of the faces, and of each piece that shows or may show.
+    std::vector<std::pair<double, std::uint32_t>> hits;
+    /// Depth of the nearest point where a piece may show or not: in the surface of another solid.
+    double undecided_from = 1e30;
 };
 std::vector<Seen> seen_at(const DrawableScene& scene, std::span<const glm::dvec2> positions);
 
@@ -52,7 +54,10 @@ DrawableAgreement compare_drawable(const DrawableScene& scene, std::span<const S
 
 /// Depths at which a ray meets the surface of a solid, in order; tests of that are tests of tests.
 std::vector<double> crossings(const Solid& solid, const Ray& ray);
-bool is_inside(const Solid& solid, const glm::dvec3& point);
-bool holds(const DrawableScene& scene, const CurvedPiece& piece, const glm::dvec3& point);
+enum class Holds : std::uint8_t { no, undecided, yes };
+/// Undecided in the surface, up to rounding.
+Holds is_inside(const Solid& solid, const glm::dvec3& point);
+/// Whether a piece's condition holds at a point of its solid's surface.
+Holds holds(const DrawableScene& scene, const CurvedPiece& piece, const glm::dvec3& point);
 
 }  // namespace povpreview

@@ -194,8 +194,13 @@ std::vector<NearestFace> nearest_faces(const PolygonScene& scene,
         const glm::dvec3 normal = glm::normalize(area);
         bins.for_each_in(bounds_of(scene, corners), [&](std::size_t i) {
             const double depth = hit(rays[i], corners, normal);
-            if (depth < too_near || depth > too_far || depth >= nearest[i].depth) return;
-            nearest[i] = {face.surface, depth, &face};
+            if (depth < too_near || depth > too_far) return;
+            NearestFace& known = nearest[i];
+            const double slack = 1e-6 * (1 + depth);
+            if (depth < known.depth - slack)
+                known = {face.surface, depth, &face, {}};
+            else if (depth < known.depth + slack)
+                known.others.push_back(face.surface);
         });
     }
     return nearest;

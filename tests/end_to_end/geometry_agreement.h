@@ -22,6 +22,7 @@ struct NearestFace {
     std::uint32_t surface = 0;  ///< 0: nothing
     double depth = 1e30;
     const Face* face = nullptr;
+    std::vector<std::uint32_t> others;  ///< surfaces that coincide with it
 };
 /// Of the faces that the eye sees, for each position.
 std::vector<NearestFace> nearest_faces(const PolygonScene& scene,
