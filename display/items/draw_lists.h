@@ -33,6 +33,17 @@ struct SphereInstance {
     std::uint32_t item;  ///< texel of its label
 };
 
+/// A sphere, cylinder or cone, cut off by planes (see CappedSolid): a rectangle of the image, as a
+/// triangle strip, and rays as those of a SphereInstance in the solid's frame.
+struct CappedInstance {
+    glm::vec4 corners_low, corners_high;  ///< of the rectangle, two each
+    glm::vec4 reference, base, direction;
+    glm::vec3 across, down;
+    glm::vec4 signs;      ///< and constant, see CanonicalSolid
+    glm::vec4 planes[2];  ///< inside: dot(.xyz, p) + .w <= 0
+    glm::uvec4 items;     ///< of the side and the caps, 0: open; bits: caps cut by the other plane
+};
+
 /// What fragment shaders look up, texel by texel: floats as their bits, or integers. Among them are
 /// labels: surface and look, and two values of other use. What is drawn is the texel of a label.
 class Records {
@@ -76,6 +87,7 @@ struct DrawLists {
     Records records;
     std::vector<ItemCorner> faces, unknown;
     std::vector<SphereInstance> spheres;
+    std::vector<CappedInstance> capped;
     /// Objects by the shader that they need: without conditions, with them, with tori.
     std::vector<ItemCorner> simple_objects, objects, torus_objects;
 };

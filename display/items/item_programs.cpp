@@ -3,6 +3,7 @@
 
 #include <bit>
 #include <cstddef>
+#include <initializer_list>
 #include <string>
 
 #include "core/error.h"
@@ -22,8 +23,8 @@ std::string source(const Parts*... parts) {
 }
 
 std::string object_source(const char* tori, const char* conditions) {
-    return source(shaders::records, shaders::result, shaders::local_ray, shaders::solids, tori,
-                  conditions, shaders::object_fragment);
+    return source(shaders::records, shaders::result, shaders::local_ray, shaders::quadratic,
+                  shaders::solids, tori, conditions, shaders::object_fragment);
 }
 
 }  // namespace
@@ -35,6 +36,8 @@ ItemPrograms::ItemPrograms(GlContext& context)
              source(shaders::records, shaders::result, shaders::face_fragment).c_str()),
       spheres_(gl_, shaders::sphere_vertex,
                source(shaders::result, shaders::sphere_fragment).c_str()),
+      capped_(gl_, shaders::capped_vertex,
+              source(shaders::result, shaders::quadratic, shaders::capped_fragment).c_str()),
       unknown_(
           gl_, shaders::corner_vertex,
           source(shaders::records, shaders::result, shaders::local_ray, shaders::unknown_fragment)
@@ -48,8 +51,10 @@ ItemPrograms::ItemPrograms(GlContext& context)
       records_(gl_),
       corner_buffer_(gl_),
       sphere_buffer_(gl_),
+      capped_buffer_(gl_),
       corner_array_(gl_),
-      sphere_array_(gl_) {
+      sphere_array_(gl_),
+      capped_array_(gl_) {
     const auto offset = [](std::size_t bytes) { return reinterpret_cast<const void*>(bytes); };
     gl_.BindVertexArray(corner_array_.id());
     gl_.BindBuffer(GL_ARRAY_BUFFER, corner_buffer_.id());
@@ -59,23 +64,40 @@ ItemPrograms::ItemPrograms(GlContext& context)
     gl_.VertexAttribIPointer(1, 1, GL_UNSIGNED_INT, sizeof(ItemCorner),
                              offset(offsetof(ItemCorner, record)));
 
-    gl_.BindVertexArray(sphere_array_.id());
-    gl_.BindBuffer(GL_ARRAY_BUFFER, sphere_buffer_.id());
-    struct Attribute {
-        GLint floats;
-        std::size_t at;
-    };
+    declare_instances(sphere_array_, sphere_buffer_, sizeof(SphereInstance),
+                      {{4, offsetof(SphereInstance, rectangle)},
+                       {4, offsetof(SphereInstance, reference)},
+                       {4, offsetof(SphereInstance, base)},
+                       {4, offsetof(SphereInstance, direction)},
+                       {3, offsetof(SphereInstance, across)},
+                       {3, offsetof(SphereInstance, down)}},
+                      {1, offsetof(SphereInstance, item)});
+    declare_instances(capped_array_, capped_buffer_, sizeof(CappedInstance),
+                      {{4, offsetof(CappedInstance, corners_low)},
+                       {4, offsetof(CappedInstance, corners_high)},
+                       {4, offsetof(CappedInstance, reference)},
+                       {4, offsetof(CappedInstance, base)},
+                       {4, offsetof(CappedInstance, direction)},
+                       {3, offsetof(CappedInstance, across)},
+                       {3, offsetof(CappedInstance, down)},
+                       {4, offsetof(CappedInstance, signs)},
+                       {4, offsetof(CappedInstance, planes)},
+                       {4, offsetof(CappedInstance, planes) + sizeof(glm::vec4)}},
+                      {4, offsetof(CappedInstance, items)});
+}
+
+void ItemPrograms::declare_instances(const GlVertexArray& array, const GlBuffer& buffer,
+                                     std::size_t stride, std::initializer_list<Attribute> floats,
+                                     const Attribute& integers) const {
+    const auto offset = [](std::size_t bytes) { return reinterpret_cast<const void*>(bytes); };
+    gl_.BindVertexArray(array.id());
+    gl_.BindBuffer(GL_ARRAY_BUFFER, buffer.id());
     GLuint index = 0;
-    for (const Attribute& attribute : {Attribute{4, offsetof(SphereInstance, rectangle)},
-                                       {4, offsetof(SphereInstance, reference)},
-                                       {4, offsetof(SphereInstance, base)},
-                                       {4, offsetof(SphereInstance, direction)},
-                                       {3, offsetof(SphereInstance, across)},
-                                       {3, offsetof(SphereInstance, down)}})
-        gl_.VertexAttribPointer(index++, attribute.floats, GL_FLOAT, GL_FALSE,
-                                sizeof(SphereInstance), offset(attribute.at));
-    gl_.VertexAttribIPointer(index++, 1, GL_UNSIGNED_INT, sizeof(SphereInstance),
-                             offset(offsetof(SphereInstance, item)));
+    for (const Attribute& attribute : floats)
+        gl_.VertexAttribPointer(index++, attribute.values, GL_FLOAT, GL_FALSE,
+                                static_cast<GLsizei>(stride), offset(attribute.at));
+    gl_.VertexAttribIPointer(index++, integers.values, GL_UNSIGNED_INT,
+                             static_cast<GLsizei>(stride), offset(integers.at));
     for (GLuint i = 0; i < index; ++i) {
         gl_.EnableVertexAttribArray(i);
         gl_.VertexAttribDivisor(i, 1);
@@ -116,14 +138,16 @@ void ItemPrograms::draw_corners(const GlProgram& program, const std::vector<Item
     gl_.DrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(corners.size()));
 }
 
-void ItemPrograms::draw_spheres(const std::vector<SphereInstance>& spheres) {
-    gl_.BindVertexArray(sphere_array_.id());
-    gl_.BindBuffer(GL_ARRAY_BUFFER, sphere_buffer_.id());
-    gl_.BufferData(GL_ARRAY_BUFFER,
-                   static_cast<GLsizeiptr>(spheres.size() * sizeof(SphereInstance)), spheres.data(),
-                   GL_STREAM_DRAW);
-    spheres_.use();
-    gl_.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(spheres.size()));
+template <class Instance>
+void ItemPrograms::draw_instances(const GlProgram& program, const GlVertexArray& array,
+                                  const GlBuffer& buffer, const std::vector<Instance>& instances) {
+    if (instances.empty()) return;
+    gl_.BindVertexArray(array.id());
+    gl_.BindBuffer(GL_ARRAY_BUFFER, buffer.id());
+    gl_.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(instances.size() * sizeof(Instance)),
+                   instances.data(), GL_STREAM_DRAW);
+    program.use();
+    gl_.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(instances.size()));
 }
 
 void ItemPrograms::draw(DrawLists& lists, const PixelRays& rays, int width, int height) {
@@ -145,10 +169,10 @@ void ItemPrograms::draw(DrawLists& lists, const PixelRays& rays, int width, int 
         set_uniforms(*program, rays, width, height);
         draw_corners(*program, *corners);
     }
-    if (!lists.spheres.empty()) {
-        set_uniforms(spheres_, rays, width, height);
-        draw_spheres(lists.spheres);
-    }
+    for (const GlProgram* program : {&spheres_, &capped_})
+        set_uniforms(*program, rays, width, height);
+    draw_instances(spheres_, sphere_array_, sphere_buffer_, lists.spheres);
+    draw_instances(capped_, capped_array_, capped_buffer_, lists.capped);
     gl_.DepthFunc(GL_LESS);
     gl_.Disable(GL_DEPTH_TEST);
 }

@@ -95,6 +95,83 @@ void main() {
     put(label, depth);
 })";
 
+inline constexpr const char* capped_vertex = R"(
+layout(location = 0) in vec4 corners_low;
+layout(location = 1) in vec4 corners_high;
+layout(location = 2) in vec4 instance_reference;
+layout(location = 3) in vec4 instance_base;
+layout(location = 4) in vec4 instance_direction;
+layout(location = 5) in vec3 instance_across;
+layout(location = 6) in vec3 instance_down;
+layout(location = 7) in vec4 instance_signs;
+layout(location = 8) in vec4 instance_plane0;
+layout(location = 9) in vec4 instance_plane1;
+layout(location = 10) in uvec4 instance_items;
+uniform vec2 size;
+flat out vec4 reference, base, direction, signs, plane0, plane1;
+flat out vec3 across, down;
+flat out uvec4 items;
+void main() {
+    reference = instance_reference;
+    base = instance_base;
+    direction = instance_direction;
+    across = instance_across;
+    down = instance_down;
+    signs = instance_signs;
+    plane0 = instance_plane0;
+    plane1 = instance_plane1;
+    items = instance_items;
+    vec4 two = (gl_VertexID & 2) == 0 ? corners_low : corners_high;
+    vec2 corner = (gl_VertexID & 1) == 0 ? two.xy : two.zw;
+    gl_Position = vec4(corner / size * 2.0 - 1.0, 0.0, 1.0);
+})";
+
+/// Follows `quadratic`.
+inline constexpr const char* capped_fragment = R"(
+flat in vec4 reference, base, direction, signs, plane0, plane1;
+flat in vec3 across, down;
+flat in uvec4 items;
+void main() {
+    vec2 offset = gl_FragCoord.xy - reference.xy;
+    vec3 aside = offset.x * across + offset.y * down;
+    vec3 e = base.xyz + base.w * aside, f = direction.xyz + direction.w * aside;
+    // Along the ray, from the point nearest to the axis: p + s f.
+    float middle = nearest_point(signs.xyz, e, f);
+    vec3 p = e + middle * f;
+    vec2 sides = quadratic_roots(signs.xyz, 0.0, signs.w, p, f);
+    float at0 = dot(plane0.xyz, p) + plane0.w, along0 = dot(plane0.xyz, f);
+    float at1 = dot(plane1.xyz, p) + plane1.w, along1 = dot(plane1.xyz, f);
+    float cap0 = -at0 / along0, cap1 = -at1 / along1;
+    vec3 on0 = p + cap0 * f, on1 = p + cap1 * f;
+    float least = (nearest_depth - reference.z) / reference.w - middle;
+
+    float nearest = none;
+    uint found = 0u;
+    vec2 in0 = at0 + sides * along0, in1 = at1 + sides * along1;
+    if (sides.y > least && sides.y < nearest && in0.y <= 0.0 && in1.y <= 0.0 && items.x != 0u) {
+        nearest = sides.y;
+        found = items.x;
+    }
+    if (sides.x > least && sides.x < nearest && in0.x <= 0.0 && in1.x <= 0.0 && items.x != 0u) {
+        nearest = sides.x;
+        found = items.x;
+    }
+    if (cap0 > least && cap0 < nearest && items.y != 0u &&
+        dot(signs.xyz * on0, on0) + signs.w <= 0.0 &&
+        ((items.w & 1u) == 0u || at1 + cap0 * along1 <= 0.0)) {
+        nearest = cap0;
+        found = items.y;
+    }
+    if (cap1 > least && cap1 < nearest && items.z != 0u &&
+        dot(signs.xyz * on1, on1) + signs.w <= 0.0 &&
+        ((items.w & 2u) == 0u || at0 + cap1 * along0 <= 0.0)) {
+        nearest = cap1;
+        found = items.z;
+    }
+    if (found == 0u) discard;
+    put(found, reference.z + (middle + nearest) * reference.w);
+})";
+
 /// A pixel's ray in the local frame of a record (see LocalFrame).
 inline constexpr const char* local_ray = R"(
 flat in uint record;
@@ -132,7 +209,27 @@ void main() {
     put(unknown, ray.depth + first * ray.size);
 })";
 
-/// Roots of solids along rays. See CanonicalSolid.
+/// Roots of quadratic solids along rays. See CanonicalSolid. They are sought from the ray's point
+/// nearest to the centre, or axis, so that the discriminant is no difference of large numbers.
+inline constexpr const char* quadratic = R"(
+// Of the ray e + s f: s.
+float nearest_point(vec3 signs, vec3 e, vec3 f) {
+    vec3 curved = abs(signs);
+    float ff = dot(curved * f, f);
+    return ff > 0.0 ? -dot(curved * e, f) / ff : 0.0;
+}
+// Both roots along p + s f, in order; `none`, or not a number, where there are none.
+vec2 quadratic_roots(vec3 signs, float slope, float constant, vec3 p, vec3 f) {
+    float a = dot(signs * f, f), b = dot(signs * f, p) + 0.5 * slope * f.z,
+          c = dot(signs * p, p) + slope * p.z + constant;
+    float square = b * b - a * c;
+    float q = -(b + (b < 0.0 ? -1.0 : 1.0) * sqrt(max(square, 0.0)));
+    vec2 roots = vec2(q / a, c / q);
+    return square >= 0.0 ? vec2(min(roots.x, roots.y), max(roots.x, roots.y)) : vec2(none);
+}
+)";
+
+/// Roots of all solids.
 inline constexpr const char* solids = R"(
 const uint torus_code = 0xffffffffu;
 struct Solid {
@@ -153,20 +250,11 @@ vec3 signs_of(uint code) {
     return vec3(ivec3(code & 3u, (code >> 2) & 3u, (code >> 4) & 3u)) - 1.0;
 }
 
-// Both roots along e + s f, `none` or not a number where there are none. They are sought from the
-// ray's point p nearest to the centre, or axis, so that the discriminant is no difference of large
-// numbers.
 vec2 quadratic_roots(Solid solid, vec3 e, vec3 f) {
-    vec3 signs = signs_of(solid.code), curved = abs(signs);
-    float ff = dot(curved * f, f);
-    float middle = ff > 0.0 ? -dot(curved * e, f) / ff : 0.0;
-    vec3 p = e + middle * f;
-    float a = dot(signs * f, f), b = dot(signs * f, p) + 0.5 * solid.slope * f.z,
-          c = dot(signs * p, p) + solid.slope * p.z + solid.constant;
-    float square = b * b - a * c;
-    float q = -(b + (b < 0.0 ? -1.0 : 1.0) * sqrt(max(square, 0.0)));
-    vec2 roots = middle + vec2(q / a, c / q);
-    return square >= 0.0 ? vec2(min(roots.x, roots.y), max(roots.x, roots.y)) : vec2(none);
+    vec3 signs = signs_of(solid.code);
+    float middle = nearest_point(signs, e, f);
+    vec2 roots = quadratic_roots(signs, solid.slope, solid.constant, e + middle * f, f);
+    return vec2(roots.x < none ? roots.x + middle : none, roots.y < none ? roots.y + middle : none);
 }
 )";
 

@@ -66,10 +66,17 @@ std::vector<glm::dvec2> outline_of(const PixelRays& rays, const Bounds& bounds, 
                                    int height) {
     if (!is_finite(bounds))
         return {{0, 0}, {double(width), 0}, {double(width), double(height)}, {0, double(height)}};
+    std::array<glm::dvec3, 8> corners;
+    for (std::size_t i = 0; i < 8; ++i) corners[i] = corner_of(bounds, static_cast<int>(i));
+    return outline_of(rays, corners, width, height);
+}
+
+std::vector<glm::dvec2> outline_of(const PixelRays& rays, const std::array<glm::dvec3, 8>& box,
+                                   int width, int height) {
     std::array<Projected, 8> corners;
-    for (int corner = 0; corner < 8; ++corner)
-        corners[static_cast<std::size_t>(corner)] = rays.project(corner_of(bounds, corner));
-    // A box in front of the eye is outlined by its corners, any other by what is left of its sides.
+    std::transform(box.begin(), box.end(), corners.begin(),
+                   [&](const glm::dvec3& p) { return rays.project(p); });
+    // What is in front of the eye of its sides outlines it, wherever the eye is.
     static constexpr std::array<std::array<std::size_t, 4>, 6> sides{
         {{0, 1, 3, 2}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 3, 7, 5}}};
     std::vector<glm::dvec2> points;

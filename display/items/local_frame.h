@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <array>
+
 #include "core/detail/drawable_scene.h"
 #include "display/items/pixel_rays.h"
 
@@ -36,5 +38,8 @@ bool is_finite(const Bounds& bounds);
 /// of the eye; empty if there are none.
 std::vector<glm::dvec2> outline_of(const PixelRays& rays, const Bounds& bounds, int width,
                                    int height);
+/// The same for a box by its corners; bits of their numbers: which end along its sides.
+std::vector<glm::dvec2> outline_of(const PixelRays& rays, const std::array<glm::dvec3, 8>& box,
+                                   int width, int height);
 
 }  // namespace povpreview::items

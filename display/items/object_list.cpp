@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "display/items/canonical_solid.h"
+#include "display/items/capped_solid.h"
 #include "display/items/condition_tests.h"
 #include "display/items/face_list.h"
 #include "display/items/local_frame.h"
@@ -43,7 +44,21 @@ class ObjectLister {
             add_unknown(object.bounds);
             return;
         }
-        if (is_sphere(object) && add_sphere(piece_of(object, 0))) return;
+        // Conditions tell each piece where it ends, so the pieces may be drawn apart.
+        rest_.clear();
+        const std::uint32_t end = object.first_piece + object.pieces;
+        for (std::uint32_t i = object.first_piece; i < end;) {
+            if (is_sphere(scene_.pieces[i]) && add_sphere(scene_.pieces[i])) {
+                ++i;
+                continue;
+            }
+            const auto capped = CappedSolid::at(scene_, i, end);
+            if (capped && capped->list(scene_, object.bounds, rays_, lists_))
+                i += capped->pieces;
+            else
+                rest_.push_back(i++);
+        }
+        if (rest_.empty()) return;
         const std::vector<glm::dvec2> outline = outline_of(rays_, object.bounds, width_, height_);
         if (outline.size() < 3) return;
         const std::uint32_t before = lists_.records.next();
@@ -76,13 +91,8 @@ class ObjectLister {
     static bool in_range(std::size_t first, std::size_t count, std::size_t size) {
         return first <= size && count <= size - first;
     }
-    const CurvedPiece& piece_of(const CurvedObject& object, std::uint32_t i) const {
-        return scene_.pieces[object.first_piece + i];
-    }
 
-    bool is_sphere(const CurvedObject& object) const {
-        if (object.pieces != 1) return false;
-        const CurvedPiece& piece = piece_of(object, 0);
+    bool is_sphere(const CurvedPiece& piece) const {
         return piece.conditions == 0 && piece.solid < scene_.solids.size() &&
                scene_.solids[piece.solid].kind == Solid::Kind::sphere;
     }
@@ -110,6 +120,7 @@ class ObjectLister {
     DrawLists& lists_;
     int width_, height_;
     // Of the object at work.
+    std::vector<std::uint32_t> rest_;  // its pieces that are not drawn apart
     std::map<std::uint32_t, std::uint32_t> solid_texels_;
     bool tori_ = false, conditions_ = false;
 };
@@ -172,18 +183,18 @@ bool ObjectLister::add_record(const CurvedObject& object, const std::vector<glm:
     tori_ = conditions_ = false;
     const std::uint32_t record = lists_.records.next();
     push_frame(frame);
-    lists_.records.push_bits(record + 4, object.pieces, 0, 0);
-    for (std::uint32_t i = 0; i < object.pieces; ++i) {
-        const CurvedPiece& piece = piece_of(object, i);
-        lists_.records.push_bits(piece.surface, look_of(piece.material), 0, no_tests);
-    }
-    for (std::uint32_t i = 0; i < object.pieces; ++i) {
-        const CurvedPiece& piece = piece_of(object, i);
-        const std::uint32_t texel = record + 4 + i;
+    lists_.records.push_bits(record + 4, static_cast<std::uint32_t>(rest_.size()), 0, 0);
+    for (const std::uint32_t i : rest_)
+        lists_.records.push_bits(scene_.pieces[i].surface, look_of(scene_.pieces[i].material), 0,
+                                 no_tests);
+    std::uint32_t texel = record + 4;
+    for (const std::uint32_t i : rest_) {
+        const CurvedPiece& piece = scene_.pieces[i];
         const auto solid = solid_record(piece.solid, frame);
         if (!solid) return false;
         lists_.records.at(texel).z = *solid;
         if (piece.conditions > 0 && !add_tests(piece, frame, texel)) return false;
+        ++texel;
     }
     push_fan(tori_         ? lists_.torus_objects
              : conditions_ ? lists_.objects
