@@ -34,8 +34,8 @@ struct Solid {
 /// A part of the boundary of a solid: its points where a condition holds. That is how primitives
 /// with ends, CSG and clipping are made of endless solids:
 ///
-///     side of a closed cylinder = boundary of the endless one where inside(cap 1) and inside(cap 2)
-///     difference { A B }        = boundary of A where not inside(B), of B where inside(A)
+///     side of a closed cylinder = boundary of the endless one where inside(cap 1) and inside(cap
+///     2) difference { A B }        = boundary of A where not inside(B), of B where inside(A)
 struct CurvedPiece {
     std::uint32_t solid = 0;     ///< in DrawableScene::solids
     std::uint32_t surface = 0;   ///< identity, as samples carry it (Sample::surface)
@@ -58,12 +58,14 @@ struct Bounds {
 
 /// An object with curved surfaces.
 struct CurvedObject {
-    Bounds bounds;                             ///< hold all that is visible of it
+    Bounds bounds;                              ///< hold all that is visible of it
     std::uint32_t first_piece = 0, pieces = 0;  ///< in DrawableScene::pieces
 };
 
 /// How an image covers a surface. A point of the world goes by `to_map` into the pigment's own
-/// space; `mapping` takes it from there to the unit square as POV-Ray's map_type does.
+/// space, turned so that a planar image lies along x and y and a torus has its large radius at 1;
+/// `mapping` takes it from there to the unit square as POV-Ray's map_type does. Mapping::uv is
+/// planar, but of (u, v, 0) in place of the point, from DrawableScene::corner_uvs.
 struct ImageLook {
     enum class Mapping : std::uint8_t { planar, spherical, cylindrical, toroidal, uv };
     enum class Interpolation : std::uint8_t { none, bilinear, bicubic, normalised_distance };
