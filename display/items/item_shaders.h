@@ -386,26 +386,39 @@ bool holds(uint test, vec3 q, float size, out bool doubtful) {
 }
 )";
 
+/// Software renderers do not branch around what no pixel of a group needs, but they leave loops: so
+/// pixels first look for the next root of any piece, then test it together.
 inline constexpr const char* object_fragment = R"(
+float first_root(vec4 roots, float after, float before) {
+    float first = none;
+    for (int i = 0; i < most_roots; ++i)
+        if (roots[i] > after && roots[i] < before) first = min(first, roots[i]);
+    return first;
+}
 void main() {
     Ray ray = local_ray();
     uvec2 pieces = bits(record + 3u).xy;
-    float nearest = none;
-    uint found = 0u;
-    for (uint i = 0u; i < pieces.y; ++i) {
-        uvec4 piece = bits(pieces.x + i);
-        Solid solid = solid_at(piece.z);
-        vec4 roots = roots_of(solid, linear_part(solid, ray.base) + offset_of(solid),
-                              linear_part(solid, ray.direction));
-        for (int r = 0; r < most_roots; ++r) {
-            float s = roots[r];
-            if (!(s > ray.least && s < nearest)) continue;
-            bool doubtful;
-            vec3 step = s * ray.direction, size = abs(ray.base) + abs(step);
-            if (!holds(piece.w, ray.base + step, max(size.x, max(size.y, size.z)), doubtful))
-                continue;
+    uint next = pieces.x, end = pieces.x + pieces.y, found = 0u, tests = 0u;
+    float nearest = none, s = none;
+    vec4 roots = vec4(none);
+    while (true) {
+        while (s == none && next < end) {
+            uvec4 piece = bits(next++);
+            tests = piece.w;
+            Solid solid = solid_at(piece.z);
+            roots = roots_of(solid, linear_part(solid, ray.base) + offset_of(solid),
+                             linear_part(solid, ray.direction));
+            s = first_root(roots, ray.least, nearest);
+        }
+        if (s == none) break;
+        vec3 along = s * ray.direction, size = abs(ray.base) + abs(along);
+        bool doubtful;
+        if (holds(tests, ray.base + along, max(size.x, max(size.y, size.z)), doubtful)) {
             nearest = s;
-            found = doubtful ? unknown : pieces.x + i;
+            found = doubtful ? unknown : next - 1u;
+            s = none;
+        } else {
+            s = first_root(roots, s, nearest);
         }
     }
     if (nearest == none) discard;
