@@ -305,17 +305,23 @@ vec3 depressed_cubic_roots(float a, float b) {
 float root_between(Solid solid, vec3 p, vec3 d, float from, float to) {
     float at_from = torus_value(solid, p + from * d), at_to = torus_value(solid, p + to * d);
     if ((at_from < 0.0) == (at_to < 0.0)) return none;
-    for (int i = 0; i < 18; ++i) {
-        // The secant's step is quick near the end, the halving sure at first.
-        float share = (i & 1) == 0 ? 0.5 : clamp(at_from / (at_from - at_to), 0.001, 0.999);
-        float t = from + share * (to - from), at = torus_value(solid, p + t * d);
+    // The secant, with the weight of an end halved that stays twice (the Illinois method).
+    int stayed = 0;
+    for (int i = 0; i < 16 && to - from > 1e-6; ++i) {
+        float t = from + clamp(at_from / (at_from - at_to), 0.002, 0.998) * (to - from);
+        float at = torus_value(solid, p + t * d);
         if ((at < 0.0) == (at_from < 0.0)) {
             from = t;
             at_from = at;
+            if (stayed == 1) at_to *= 0.5;
+            stayed = 1;
         } else {
             to = t;
             at_to = at;
+            if (stayed == 2) at_from *= 0.5;
+            stayed = 2;
         }
+        if (abs(at) < 1e-7 * abs(solid.constant)) return t;
     }
     return from + clamp(at_from / (at_from - at_to), 0.0, 1.0) * (to - from);
 }

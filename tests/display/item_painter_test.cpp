@@ -182,8 +182,8 @@ TEST_P(ItemPainterTest, EverySolid) {
 }
 
 TEST_P(ItemPainterTest, EverySolidAtEveryScale) {
-    for (const double size : {1e-6, 1e-3, 1e3, 1e6}) {
-        for (const double away : {0., 1., 50.}) {
+    for (const double size : {1e-6, 1e6}) {
+        for (const double away : {0., 50.}) {
             const glm::dvec3 at = away * size * glm::dvec3(30, 5, -20);
             ItemScene made(
                 look_at(at + size * glm::dvec3(1, 2, -6), at + size * glm::dvec3(.4, .4, 0)), width,
@@ -287,7 +287,7 @@ TEST_P(ItemPainterTest, ThinThingsFarAway) {
 }
 
 TEST_P(ItemPainterTest, SolidGeometryOfRandomKind) {
-    for (unsigned seed = 1; seed <= 12; ++seed) {
+    for (unsigned seed = 1; seed <= 8; ++seed) {
         ItemScene made(look_at({1, 2, -5}, {0, 0, 0}), width, height);
         std::mt19937 random(seed);
         std::uniform_real_distribution<double> place(-1, 1), radius(.4, 1.2);
