@@ -23,6 +23,13 @@ namespace {
 Point point(const pov::VECTOR v) { return {v[0], v[1], v[2]}; }
 Point point(const pov::SNGL_VECT v) { return {v[0], v[1], v[2]}; }
 
+/// Zeros where a mesh has none.
+std::array<float, 2> own_coordinates(const pov::MESH_DATA& data, long corner) {
+    if (corner < 0 || corner >= data.Number_Of_UVCoords) return {};
+    return {static_cast<float>(data.UVCoords[corner][0]),
+            static_cast<float>(data.UVCoords[corner][1])};
+}
+
 constexpr const char* too_many_faces = "too many faces";
 
 }  // namespace
@@ -58,8 +65,7 @@ const char* add_faces(const pov::Mesh& mesh, const FaceLimits& limits, ObjectFac
             faces.corners.push_back(static_cast<std::uint32_t>(corner));
         if (!with_uvs) continue;
         for (const long corner : {triangle.UV1, triangle.UV2, triangle.UV3})
-            faces.uvs.push_back({static_cast<float>(data.UVCoords[corner][0]),
-                                 static_cast<float>(data.UVCoords[corner][1])});
+            faces.uvs.push_back(own_coordinates(data, corner));
     }
     return nullptr;
 }
