@@ -183,7 +183,9 @@ bool is_finite(const glm::vec3& v) {
 
 std::optional<glm::vec3> image_albedo(const DrawableScene& scene, const ImageLook& look,
                                       const glm::dvec3& point, const glm::dvec2& uv) {
-    if (look.image >= scene.images.size() || !(scene.working_gamma > 0)) return std::nullopt;
+    const float gamma = scene.working_gamma;
+    if (look.image >= scene.images.size() || !(gamma > 0 && std::isfinite(gamma)))
+        return std::nullopt;
     const ImageTexels& image = scene.images[look.image];
     if (image.texels.empty() || image.texels.size() != std::size_t{image.width} * image.height)
         return std::nullopt;
@@ -200,8 +202,8 @@ std::optional<glm::vec3> image_albedo(const DrawableScene& scene, const ImageLoo
     glm::vec3 light(*colour);
     if (!is_finite(light)) return std::nullopt;
     light = glm::max(light, 0.f);
-    if (scene.working_gamma != 1) {
-        for (int i = 0; i < 3; ++i) light[i] = std::pow(light[i], scene.working_gamma);
+    if (gamma != 1) {
+        for (int i = 0; i < 3; ++i) light[i] = std::pow(light[i], gamma);
         if (!is_finite(light)) return std::nullopt;  // of a gamma beyond all measure
     }
     return light;
