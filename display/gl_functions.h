@@ -58,6 +58,7 @@
     X(PFNGLRENDERBUFFERSTORAGEMULTISAMPLEPROC, RenderbufferStorageMultisample) \
     X(PFNGLSCISSORPROC, Scissor)                                               \
     X(PFNGLSHADERSOURCEPROC, ShaderSource)                                     \
+    X(PFNGLTEXBUFFERPROC, TexBuffer)                                           \
     X(PFNGLTEXIMAGE2DPROC, TexImage2D)                                         \
     X(PFNGLTEXPARAMETERIPROC, TexParameteri)                                   \
     X(PFNGLTEXSUBIMAGE2DPROC, TexSubImage2D)                                   \

@@ -14,9 +14,6 @@ namespace povpreview::items {
 
 namespace {
 
-/// Texels in a row of the records' texture; the shaders know it.
-constexpr int record_row = 2048;
-
 template <class... Parts>
 std::string source(const Parts*... parts) {
     return (std::string() + ... + parts);
@@ -49,6 +46,7 @@ ItemPrograms::ItemPrograms(GlContext& context)
       torus_objects_(gl_, shaders::corner_vertex,
                      object_source(shaders::with_tori, shaders::conditions).c_str()),
       records_(gl_),
+      record_buffer_(gl_),
       corner_buffer_(gl_),
       sphere_buffer_(gl_),
       capped_buffer_(gl_),
@@ -107,15 +105,16 @@ void ItemPrograms::declare_instances(const GlVertexArray& array, const GlBuffer&
 void ItemPrograms::upload_records(Records& records) {
     std::vector<glm::uvec4>& texels = records.texels();
     if (texels.empty()) return;
-    const std::size_t wanted = (texels.size() + record_row - 1) / record_row;
-    if (wanted > static_cast<std::size_t>(context_.max_texture_size()))
+    int limit = 0;
+    gl_.GetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &limit);
+    if (texels.size() > static_cast<std::size_t>(limit))
         throw Error(Exit::usage, "OpenGL cannot hold the scene's geometry", context_.description(),
                     "preview without drawing what is seen beforehand");
-    // A power of two: drivers compile shaders anew for textures that are none.
-    const std::size_t rows = std::bit_ceil(wanted);
-    texels.resize(rows * record_row);
-    make_texture(gl_, records_, GL_RGBA32UI, record_row, static_cast<int>(rows), GL_RGBA_INTEGER,
-                 GL_UNSIGNED_INT, texels.data());
+    gl_.BindBuffer(GL_TEXTURE_BUFFER, record_buffer_.id());
+    gl_.BufferData(GL_TEXTURE_BUFFER, static_cast<GLsizeiptr>(texels.size() * sizeof texels[0]),
+                   texels.data(), GL_STREAM_DRAW);
+    gl_.BindTexture(GL_TEXTURE_BUFFER, records_.id());
+    gl_.TexBuffer(GL_TEXTURE_BUFFER, GL_RGBA32UI, record_buffer_.id());
 }
 
 void ItemPrograms::set_uniforms(const GlProgram& program, const PixelRays& rays, int width,
@@ -153,7 +152,6 @@ void ItemPrograms::draw_instances(const GlProgram& program, const GlVertexArray&
 void ItemPrograms::draw(DrawLists& lists, const PixelRays& rays, int width, int height) {
     gl_.ActiveTexture(GL_TEXTURE0);
     upload_records(lists.records);
-    gl_.BindTexture(GL_TEXTURE_2D, records_.id());
     gl_.Disable(GL_BLEND);
     gl_.Disable(GL_CULL_FACE);
     gl_.Enable(GL_DEPTH_TEST);

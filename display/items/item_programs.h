@@ -37,7 +37,7 @@ class ItemPrograms {
     const GlFunctions& gl_;
     GlProgram faces_, spheres_, capped_, unknown_, simple_objects_, objects_, torus_objects_;
     GlTexture records_;
-    GlBuffer corner_buffer_, sphere_buffer_, capped_buffer_;
+    GlBuffer record_buffer_, corner_buffer_, sphere_buffer_, capped_buffer_;
     GlVertexArray corner_array_, sphere_array_, capped_array_;
 };
 

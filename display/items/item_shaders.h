@@ -19,8 +19,8 @@ void main() {
 
 /// Looking up records, and what fragments write. See draw_lists.h.
 inline constexpr const char* records = R"(
-uniform usampler2D records;
-uvec4 bits(uint texel) { return texelFetch(records, ivec2(texel & 2047u, texel >> 11), 0); }
+uniform usamplerBuffer records;
+uvec4 bits(uint texel) { return texelFetch(records, int(texel)); }
 vec4 floats(uint texel) { return uintBitsToFloat(bits(texel)); }
 )";
 
