@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "display/items/item_programs.h"
 
-#include <bit>
 #include <cstddef>
 #include <initializer_list>
 #include <string>
