@@ -81,6 +81,9 @@ void ImagePass::set_rays(const GlProgram& program, const PixelRays& rays,
     set("along", turn * rays.direction(middle));
     set("across", turn * rays.across);
     set("down", turn * rays.down);
+    set("from_u", to_map[0]);
+    set("from_v", to_map[1]);
+    set("from_zero", to_map[3]);
     gl_.Uniform2f(program.uniform("middle"), static_cast<float>(middle.x),
                   static_cast<float>(middle.y));
     gl_.Uniform1i(program.uniform("orthographic"), rays.orthographic);

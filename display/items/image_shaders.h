@@ -20,6 +20,7 @@ uniform bool orthographic;
 // The rays, in the pigment's space: from the middle of the image.
 uniform vec3 origin, along, across, down;
 uniform vec2 middle;
+uniform vec3 from_u, from_v, from_zero;  // texture coordinates' way into the same space
 uniform int mapping, interpolation;  // as ImageLook
 uniform bool once;
 uniform float gamma;
@@ -101,7 +102,8 @@ void main() {
 
     vec3 p;
     if (mapping == mapping_uv) {
-        p = face_coordinates(item - 2u, gl_FragCoord.xy);
+        vec3 uv = face_coordinates(item - 2u, gl_FragCoord.xy);
+        p = from_zero + uv.x * from_u + uv.y * from_v;
     } else {
         float depth = nearest_depth / texelFetch(depths, pixel, 0).r;
         vec2 offset = gl_FragCoord.xy - middle;

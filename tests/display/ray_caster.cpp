@@ -210,7 +210,7 @@ RayCaster::Hit RayCaster::cast(double px, double py) const {
     found.hit.kind = look.kind;
     if (look.kind != Look::Kind::image) return found.hit;
     const glm::dvec3 p = look.image.mapping == ImageLook::Mapping::uv
-                             ? glm::dvec3(found.uv, 0)
+                             ? look.image.to_map * glm::dvec4(found.uv, 0, 1)
                              : look.image.to_map * glm::dvec4(found.point, 1);
     const auto colour =
         image_colour(scene_.images[look.image.image], look.image, p, scene_.working_gamma);
