@@ -6,7 +6,6 @@
 #include <bit>
 #include <cmath>
 #include <cstddef>
-#include <glm/common.hpp>
 #include <glm/mat4x3.hpp>
 #include <glm/vec4.hpp>
 #include <limits>
@@ -89,19 +88,26 @@ std::optional<glm::dvec2> place_at(const ImageLook& look, const glm::dvec2& shar
     return glm::dvec2(right, down >= height ? 0 : down);
 }
 
-/// Red, green, blue, opacity. What is not finite in halves is not finite here.
-glm::dvec4 decoded(const std::array<std::uint16_t, 4>& halves) {
-    glm::dvec4 value;
-    for (int i = 0; i < 4; ++i) {
-        // A half's exponent and digits in a float's places are its value, but for the offsets of
-        // the exponents, 15 and 127; that holds of subnormal ones too.
-        const std::uint32_t half = halves[static_cast<std::size_t>(i)];
-        const float size = std::bit_cast<float>((half & 0x7fffu) << 13) * 0x1p112f;
-        const float signed_size = half & 0x8000u ? -size : size;
-        value[i] = size < 65536 ? signed_size : std::numeric_limits<float>::infinity();
+/// Red, green, blue, opacity: sums of weighted texels.
+struct Colour {
+    std::array<double, 4> channels{};
+
+    void add(double weight, const std::array<std::uint16_t, 4>& halves) {
+        for (std::size_t i = 0; i < 4; ++i) channels[i] += weight * decoded(halves[i]);
     }
-    return value;
-}
+    void add(double weight, const Colour& other) {
+        for (std::size_t i = 0; i < 4; ++i) channels[i] += weight * other.channels[i];
+    }
+
+   private:
+    /// A half's exponent and digits in a float's places are its value, but for the offsets of the
+    /// exponents, 15 and 127; that holds of subnormal ones too. What is not finite is infinite.
+    static double decoded(std::uint32_t half) {
+        const float size = std::bit_cast<float>((half & 0x7fffu) << 13) * 0x1p112f;
+        const float known = size < 65536 ? size : std::numeric_limits<float>::infinity();
+        return half & 0x8000u ? -known : known;
+    }
+};
 
 /// A texel beside the image: the border's once more, or the other side's. `texel` is at most two
 /// off the image.
@@ -135,48 +141,60 @@ double cubic(double d) {
     return d < 1 ? 1 + d * d * (1.5 * d - 2.5) : 2 + d * (-4 + d * (2.5 - 0.5 * d));
 }
 
-/// The mean of count * count texels, each with weight(distance across, distance down).
+/// What a texel counts by its distances across and down: one's weight times the other's.
 template <std::size_t count, typename Weight>
-glm::dvec4 weighed(const ImageTexels& image, const glm::dvec2& place, bool once,
-                   const Weight& weight) {
+void add_separably(const ImageTexels& image, const glm::dvec2& place, bool once,
+                   const Weight& weight, Colour& sum) {
     const Neighbours<count> columns(place.x, image.width, once), rows(place.y, image.height, once);
-    glm::dvec4 sum(0);
-    double weights = 0;
+    std::array<double, count> across;
+    for (std::size_t i = 0; i < count; ++i) across[i] = weight(columns.distances[i]);
     for (std::size_t j = 0; j < count; ++j) {
         const auto* row = image.texels.data() + rows.texels[j] * image.width;
-        for (std::size_t i = 0; i < count; ++i) {
-            const double w = weight(columns.distances[i], rows.distances[j]);
-            sum += w * decoded(row[columns.texels[i]]);
-            weights += w;
-        }
+        Colour along_row;
+        for (std::size_t i = 0; i < count; ++i) along_row.add(across[i], row[columns.texels[i]]);
+        sum.add(weight(rows.distances[j]), along_row);
     }
-    return sum / weights;
 }
 
-std::optional<glm::dvec4> colour_at(const ImageTexels& image, const ImageLook& look,
-                                    const glm::dvec2& place) {
+/// POV-Ray's normalised distance: by the inverse square of a texel's distance.
+void add_by_nearness(const ImageTexels& image, const glm::dvec2& place, bool once, Colour& sum) {
+    const Neighbours<2> columns(place.x, image.width, once), rows(place.y, image.height, once);
+    std::array<double, 4> nearness;
+    double all = 0;
+    for (std::size_t i = 0; i < 4; ++i) {
+        const double x = columns.distances[i % 2], y = rows.distances[i / 2];
+        nearness[i] = 1 / std::max(x * x + y * y, 1e-30);  // at a centre: that texel alone
+        all += nearness[i];
+    }
+    for (std::size_t i = 0; i < 4; ++i)
+        sum.add(nearness[i] / all,
+                image.texels[rows.texels[i / 2] * image.width + columns.texels[i % 2]]);
+}
+
+/// The image's colour at a place; adds nothing where the interpolation is none of those known.
+void add_texels(const ImageTexels& image, const ImageLook& look, const glm::dvec2& place,
+                Colour& sum) {
     switch (look.interpolation) {
         case Interpolation::none: {
             const auto column = static_cast<std::size_t>(place.x),
                        row = static_cast<std::size_t>(place.y);
-            return decoded(image.texels[row * image.width + column]);
+            return sum.add(1, image.texels[row * image.width + column]);
         }
         case Interpolation::bilinear:
-            return weighed<2>(image, place, look.once,
-                              [](double x, double y) { return (1 - x) * (1 - y); });
+            return add_separably<2>(
+                image, place, look.once, [](double d) { return 1 - d; }, sum);
         case Interpolation::bicubic:
-            return weighed<4>(image, place, look.once,
-                              [](double x, double y) { return cubic(x) * cubic(y); });
+            return add_separably<4>(image, place, look.once, cubic, sum);
         case Interpolation::normalised_distance:
-            return weighed<2>(image, place, look.once, [](double x, double y) {
-                return 1 / std::max(x * x + y * y, 1e-30);  // at a centre: that texel alone
-            });
+            return add_by_nearness(image, place, look.once, sum);
     }
-    return std::nullopt;
 }
 
-bool is_finite(const glm::vec3& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+/// Linear light from the working gamma, none below 0; not finite where the colour is not.
+float linear(double channel, float gamma) {
+    const auto value = static_cast<float>(channel);
+    const float positive = value < 0 ? 0 : value;
+    return gamma == 1 ? positive : std::pow(positive, gamma);
 }
 
 }  // namespace
@@ -197,16 +215,13 @@ std::optional<glm::vec3> image_albedo(const DrawableScene& scene, const ImageLoo
     const std::optional<glm::dvec2> place = place_at(look, *shares, image);
     if (!place) return std::nullopt;
 
-    const std::optional<glm::dvec4> colour = colour_at(image, look, *place);
-    if (!colour || !(colour->a > least_opacity)) return std::nullopt;
-    glm::vec3 light(*colour);
-    if (!is_finite(light)) return std::nullopt;
-    light = glm::max(light, 0.f);
-    if (gamma != 1) {
-        for (int i = 0; i < 3; ++i) light[i] = std::pow(light[i], gamma);
-        if (!is_finite(light)) return std::nullopt;  // of a gamma beyond all measure
-    }
-    return light;
+    Colour colour;
+    add_texels(image, look, *place, colour);
+    const auto& [red, green, blue, opacity] = colour.channels;
+    if (!(opacity > least_opacity)) return std::nullopt;
+    const float r = linear(red, gamma), g = linear(green, gamma), b = linear(blue, gamma);
+    if (!std::isfinite(r) || !std::isfinite(g) || !std::isfinite(b)) return std::nullopt;
+    return glm::vec3(r, g, b);
 }
 
 }  // namespace povpreview
