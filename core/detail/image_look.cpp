@@ -193,6 +193,7 @@ void add_texels(const ImageTexels& image, const ImageLook& look, const glm::dvec
 /// Linear light from the working gamma, none below 0; not finite where the colour is not.
 float linear(double channel, float gamma) {
     const auto value = static_cast<float>(channel);
+    if (!std::isfinite(value)) return value;
     const float positive = value < 0 ? 0 : value;
     return gamma == 1 ? positive : std::pow(positive, gamma);
 }
