@@ -68,7 +68,7 @@ double along_side(double share, double size, bool once, bool angle) {
     constexpr double outside = std::numeric_limits<double>::quiet_NaN();
     if (!once) {
         const double place = (share - std::floor(share)) * size + nudge;
-        return place >= size ? 0 : place;
+        return place >= size ? place - size : place;
     }
     if (!angle && !(share >= 0 && share <= 1)) return outside;
     const double place = (share == 1 && !angle ? 0 : share) * size + nudge;

@@ -189,6 +189,17 @@ TEST(ImageLook, BordersBelongToTheTexelRightAndAbove) {
         expect_near(right, {(i + 8) % 4, 3, 7});
         expect_near(above, {0, 3 - (i + 8) % 4, 7});
     }
+    // Also where rounding has it a little below the image's own border, which ends a `once` map.
+    const double below = std::nextafter(1., 0.);
+    expect_near(at(scene, look_of(Mapping::planar), {below, below, 0}), {0, 3, 7});
+    expect_near(at(scene, look_of(Mapping::planar), {-1e-18, -1e-18, 0}), {0, 3, 7});
+    const ImageLook once = look_of(Mapping::planar, Interpolation::none, true);
+    EXPECT_FALSE(at(scene, once, {below, .5, 0}));
+    EXPECT_FALSE(at(scene, once, {.5, below, 0}));
+    expect_near(at(scene, once, {1, 1, 0}), {0, 3, 7});
+    // As many texels that the border is nearer to the next one than doubles tell.
+    const DrawableScene tall = numbered(1, 1 << 21);
+    EXPECT_TRUE(at(tall, look_of(Mapping::planar), {0, 0, 0}));
 }
 
 TEST(ImageLook, OnceEndsAtTheUnitSquare) {
