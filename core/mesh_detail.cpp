@@ -21,14 +21,8 @@ constexpr double seed_share = .005;
 /// Anchors of an item at most: they are looked through pixel by pixel.
 constexpr std::uint32_t most_anchors = 32;
 
-/// Edges between colours nearer than this (colour_distance()) are not looked into for albedo.
-constexpr float least_jump = 4e-4f;
 /// Where light differs by less than this share of what colours do, the albedo makes the rest.
 constexpr float explained_share = .25f;
-/// The dearest albedo rays, against full samples, that are worth having: where the albedo is known
-/// to vary, and where nothing is known but that colours differ.
-constexpr double dearest_albedo = .6, dearest_look = .06;
-
 bool finite(const glm::vec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
@@ -48,9 +42,7 @@ DetailMap& MeshPreviewer::detail_to_change() {
 void MeshPreviewer::accept_items(const ItemBuffer& items) {
     if (!options_.detail || !refining_) return;
     detail_to_change().accept(items, items_);
-    const auto varies = [](Look::Kind kind) {
-        return kind == Look::Kind::image || kind == Look::Kind::traced;
-    };
+    const auto varies = [](Look::Kind kind) { return kind != Look::Kind::plain; };
     textured_ = textured_ || std::any_of(items.kinds.begin(), items.kinds.end(), varies);
     // The largest items first, as far as they are worth it.
     const std::vector<DetailMap::Extent> extents = detail_->extents(items_);
@@ -109,8 +101,7 @@ std::optional<Request> MeshPreviewer::next_trial() {
     return Request{squares_.centre(pixel), RayKind::albedo};
 }
 
-/// Has the albedo fetched around an edge that is heavy for want of it, where that is cheaper than
-/// the samples that would be needed instead.
+/// Has the albedo fetched along an edge that is heavy for want of it.
 void MeshPreviewer::consider_albedos(VertexId a, VertexId b) {
     if (!options_.detail || !cost_known()) return;
     const SampleId s = mesh_.corner(a, b, true), t = mesh_.corner(b, a, false);
@@ -118,37 +109,21 @@ void MeshPreviewer::consider_albedos(VertexId a, VertexId b) {
     const VertexSample &p = mesh_.sample(s), &q = mesh_.sample(t);
     if (p.state != VertexSample::State::known || q.state != VertexSample::State::known) return;
     const float jump = colour_distance(p.encoded, q.encoded);
-    if (jump < least_jump) return;
     const bool explained =
         p.item == q.item && p.shaded && q.shaded && light_distance(p, q) < explained_share * jump;
     textured_ = textured_ || explained;
-    if (albedo_price_ > (explained ? dearest_albedo : dearest_look)) return;
+    if (!albedo_fetch_.tells(p.item, q.item, jump, explained)) return;
     const glm::dvec2 from = p.position, way = q.position - p.position;
-    const int steps = static_cast<int>(std::ceil(glm::length(way) / (BfSquares::side / 2.)));
+    const int steps = 1 + static_cast<int>(glm::length(way) / (BfSquares::side / 2.));
     for (int i = 0; i <= steps; ++i)
-        want_albedos(
-            squares_.square_of(squares_.pixel_at(from + way * (double(i) / std::max(1, steps)))));
-}
-
-void MeshPreviewer::want_albedos(std::size_t square) {
-    if (albedo_asked_[square] || squares_.filling(square)) return;
-    albedo_asked_[square] = true;
-    albedo_squares_.push_back(square);
+        albedo_fetch_.want(squares_.square_of(squares_.pixel_at(from + way * (double(i) / steps))));
 }
 
 std::optional<Request> MeshPreviewer::next_albedo() {
-    while (!albedo_squares_.empty()) {
-        const std::size_t square = albedo_squares_.front();
-        while (albedo_scanned_ < BfSquares::side * BfSquares::side) {
-            const auto pixel = squares_.pixel_in(square, albedo_scanned_++);
-            if (!pixel || (detail_ && !detail_->wants_albedo(*pixel))) continue;
-            pending_.push_back({Pending::Use::albedo, *pixel});
-            return Request{squares_.centre(*pixel), RayKind::albedo};
-        }
-        albedo_squares_.pop_front();
-        albedo_scanned_ = 0;
-    }
-    return std::nullopt;
+    const auto pixel = albedo_fetch_.next(detail_.get());
+    if (!pixel) return std::nullopt;
+    pending_.push_back({Pending::Use::albedo, *pixel});
+    return Request{squares_.centre(*pixel), RayKind::albedo};
 }
 
 void MeshPreviewer::accept_albedo(Pixel pixel, const Sample& sample) {

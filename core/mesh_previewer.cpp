@@ -59,7 +59,7 @@ MeshPreviewer::MeshPreviewer(int width, int height, const MeshOptions& options)
       options_(options),
       squares_(width, height),
       mesh_(width, height),
-      albedo_asked_(squares_.squares()),
+      albedo_fetch_(squares_),
       search_({width, height}) {
     assert(width >= 1 && height >= 1);
     lay_grid();
@@ -107,7 +107,7 @@ void MeshPreviewer::learn_cost(const Sample& sample) {
     if (!cost_known()) return;
     const double full_ns = usual_cost(grid_costs_);
     plan_ = plan_by_cost(full_ns, squares_.pixels());
-    albedo_price_ = albedo_price(usual_cost(trial_costs_), full_ns);
+    albedo_fetch_.set_price(albedo_price(usual_cost(trial_costs_), full_ns));
 }
 
 std::optional<Request> MeshPreviewer::request(Pending pending) {
@@ -117,6 +117,7 @@ std::optional<Request> MeshPreviewer::request(Pending pending) {
         return Request{mesh_.sample(pending.sample).position, RayKind::full};
     }
     squares_.request(pending.pixel);
+    albedo_fetch_.full_asked();
     if (pending.use == Pending::Use::vertex) {
         ++vertices_pending_;
         const std::size_t square = squares_.square_of(pending.pixel);
@@ -341,7 +342,7 @@ void MeshPreviewer::start_filling() {
     heap_.clear();
     chains_ = {};
     seeds_ = {};
-    albedo_squares_ = {};
+    albedo_fetch_.clear();
     const std::vector<double> errors = expected_errors();
     fill_order_.resize(squares_.squares());
     std::iota(fill_order_.begin(), fill_order_.end(), std::size_t{0});

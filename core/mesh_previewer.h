@@ -10,6 +10,7 @@
 #include "core/bf_squares.h"
 #include "core/chain_insertion.h"
 #include "core/cost_plan.h"
+#include "core/detail/albedo_fetch.h"
 #include "core/edge_weight.h"
 #include "core/mesh.h"
 #include "core/outline_search.h"
@@ -130,7 +131,6 @@ class MeshPreviewer : public Previewer {
     bool shaded(const Sample& sample) const;
     std::optional<Request> next_seed();
     void consider_albedos(VertexId a, VertexId b);
-    void want_albedos(std::size_t square);
     std::optional<Request> next_trial();
     std::optional<Request> next_albedo();
     void accept_albedo(Pixel pixel, const Sample& sample);
@@ -164,13 +164,10 @@ class MeshPreviewer : public Previewer {
     std::shared_ptr<DetailMap> detail_;  // null as long as nothing is known; shared with pictures
     std::vector<Pixel> seeds_;           // one for each item without a sample, the largest last
     ItemNumbers items_;
-    bool textured_ = false;                   // some surface was seen to vary, or is known to
-    std::vector<std::uint8_t> albedo_asked_;  // by square
-    std::deque<std::size_t> albedo_squares_;  // squares whose albedo is to be asked for
+    bool textured_ = false;  // some surface was seen to vary, or is known to
+    AlbedoFetch albedo_fetch_;
     std::size_t trials_ = 0;                  // albedo rays asked for to learn what they cost
-    int albedo_scanned_ = 0;                  // pixels of the first of them already asked for
     std::vector<std::uint32_t> trial_costs_;  // of those, nanoseconds
-    double albedo_price_ = 1;                 // of an albedo ray against a full sample
     OutlineSearch search_;
     std::size_t outline_rays_ = 0;           // spent on outlines
     std::size_t waiting_since_ = 0;          // full rays when the next round's first edge was taken

@@ -49,9 +49,7 @@ void DetailMap::accept(const ItemBuffer& drawn, ItemNumbers& numbers) {
                 set_albedo(pixel, drawn.albedos[pixel]);
                 break;
             case Look::Kind::traced:
-                break;
-            case Look::Kind::mixed:
-                states_[pixel] = Albedo::mixed;
+            case Look::Kind::mixed:  // samples will tell whether it is worth having
                 break;
         }
     }
@@ -65,7 +63,7 @@ void DetailMap::accept_albedo(Pixel pixel, const Sample& sample, ItemNumbers& nu
     if (usable)
         set_albedo(pixel, sample.albedo);
     else
-        states_[pixel] = Albedo::mixed;
+        states_[pixel] = Albedo::unreliable;
 }
 
 void DetailMap::distrust(Pixel pixel) {
@@ -84,7 +82,7 @@ void DetailMap::forget_square(Pixel pixel) {
             told_[p] = true;
             set_item(p, unknown);
             albedos_known_ -= states_[p] == Albedo::known;
-            states_[p] = Albedo::mixed;
+            states_[p] = Albedo::unreliable;
         }
 }
 

@@ -35,8 +35,8 @@ class DetailMap {
     enum class Albedo : std::uint8_t {
         constant,  ///< one colour all over the surface: nothing to be told apart from light
         known,
-        wanted,  ///< an albedo ray would tell
-        mixed    ///< albedo alone does not explain the surface's detail
+        wanted,     ///< an albedo ray would tell
+        unreliable  ///< not to be asked for
     };
 
     /// Nothing is known.

@@ -60,7 +60,7 @@ class Comparison {
         TracedScene scene(
             read_povray_options(options_.povray).tracer_arguments(), options_.stall_timeout,
             [&](const std::string& text) { line_.show(method + ": " + text); }, interrupted,
-            foreknowledge_for(method_needs(method), options_.mirror_depth, options_.backend));
+            foreknowledge_for(method_needs(method), options_.mirror_depth));
         check_size(scene.description());
         StrategyRun run(method, scene, scene.oracle());
         std::vector<Moment> moments;

@@ -119,7 +119,7 @@ class Figures {
         TracedScene scene(
             povray_.tracer_arguments(), options_.stall_timeout,
             [&](const std::string& text) { line_.show(text); }, interrupted,
-            {.edges = EdgeFinding{.mirror_depth = options_.mirror_depth}, .items = std::nullopt});
+            {.edges = EdgeFinding{.mirror_depth = options_.mirror_depth}, .items = false});
         size_ = {scene.description().width, scene.description().height};
         check_size();
         add("a", decoded(reference_),

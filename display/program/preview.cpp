@@ -92,7 +92,7 @@ class Preview {
             needs.edges |= beside.edges;
             needs.items |= beside.items;
         }
-        return foreknowledge_for(needs, options_.mirror_depth, options_.backend);
+        return foreknowledge_for(needs, options_.mirror_depth);
     }
 
     bool stopped_early() const { return interrupted() || (window_ && window_->controls().closed); }

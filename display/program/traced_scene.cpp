@@ -69,10 +69,10 @@ std::string left_out(const Geometry& geometry) {
 
 }  // namespace
 
-Foreknowledge foreknowledge_for(const MethodNeeds& needs, int mirror_depth, Backend backend) {
+Foreknowledge foreknowledge_for(const MethodNeeds& needs, int mirror_depth) {
     Foreknowledge result;
     if (needs.edges) result.edges = EdgeFinding{.mirror_depth = mirror_depth};
-    if (needs.items) result.items = backend;
+    result.items = needs.items;
     return result;
 }
 
@@ -80,12 +80,11 @@ TracedScene::TracedScene(std::vector<std::string> povray_arguments, double stall
                          const std::function<void(const std::string&)>& report,
                          const std::function<bool()>& interrupted,
                          const Foreknowledge& foreknowledge)
-    : item_search_(foreknowledge.items ? std::make_unique<ItemSearch>(*foreknowledge.items)
-                                       : nullptr),
-      oracle_(settings(std::move(povray_arguments), stall_timeout_s,
+    : oracle_(settings(std::move(povray_arguments), stall_timeout_s,
                        foreknowledge.edges || foreknowledge.items)),
       description_(oracle_.wait_for_scene(
           [&](const report::Progress& progress) { report(sentence(progress)); }, interrupted)),
+      wants_items_(foreknowledge.items),
       edge_finding_(foreknowledge.edges) {
     parsed_ = Clock::now();
 }
@@ -96,7 +95,7 @@ ImageFrame TracedScene::frame() const {
 
 /// Both searches begin with the scene as it can be drawn; it is made once, in a thread of its own.
 void TracedScene::take_geometry() {
-    if (drawable_.valid() || !(edge_finding_ || item_search_)) return;
+    if (drawable_.valid() || !(edge_finding_ || wants_items_)) return;
     std::optional<Geometry> geometry = oracle_.take_geometry();
     if (!geometry) return;
     left_out_ = left_out(*geometry);
@@ -117,13 +116,15 @@ void TracedScene::take_geometry() {
 }
 
 /// The item buffer waits for the images on its surfaces, which come after all else.
-void TracedScene::draw_items() {
-    if (items_begun_ || !drawable_.valid()) return;
-    std::optional<std::vector<ImageTexels>> images;
-    if (has_images_ && !(images = oracle_.take_images())) return;
-    items_begun_ = true;
-    if (!images) return item_search_->begin([scene = drawable_] { return scene.get(); });
-    item_search_->begin([scene = drawable_, images = std::move(*images)]() -> ItemSearch::Scene {
+void TracedScene::paint_items() {
+    if (item_search_ || !drawable_.valid()) return;
+    if (!has_images_) {
+        item_search_.emplace([scene = drawable_] { return scene.get(); });
+        return;
+    }
+    std::optional<std::vector<ImageTexels>> images = oracle_.take_images();
+    if (!images) return;
+    item_search_.emplace([scene = drawable_, images = std::move(*images)]() -> ItemSearch::Scene {
         if (!scene.get()) return nullptr;
         auto with_images = std::make_shared<DrawableScene>(*scene.get());
         with_images->images = images;
@@ -141,15 +142,14 @@ const std::vector<EdgeChain>& TracedScene::edges() {
 }
 
 bool TracedScene::items_finished() {
-    if (!item_search_) return true;
+    if (!wants_items_) return true;
     take_geometry();
-    draw_items();
-    return item_search_->finished();
+    paint_items();
+    return item_search_ && item_search_->finished();
 }
 
 const ItemBuffer* TracedScene::items() {
-    if (!items_finished() || !item_search_ || !item_search_->result().items) return nullptr;
-    return &*item_search_->result().items;
+    return items_finished() && item_search_ ? item_search_->items() : nullptr;
 }
 
 void TracedScene::release_edges() {
@@ -161,10 +161,10 @@ void TracedScene::release_edges() {
 
 void TracedScene::wait_for_foreknowledge(const std::function<bool()>& interrupted) {
     constexpr std::chrono::milliseconds patience{50};
-    if (!edge_finding_ && !item_search_) return;
+    if (!edge_finding_ && !wants_items_) return;
     oracle_.wait_for_geometry(interrupted);
     take_geometry();
-    if (item_search_ && has_images_) oracle_.wait_for_images(interrupted);
+    if (wants_items_ && has_images_) oracle_.wait_for_images(interrupted);
     while (!items_finished() && !interrupted()) item_search_->wait_for(patience);
     for (edges(); edge_search_ && !edge_search_->finished() && !interrupted(); edges())
         edge_search_->wait_for(patience);
@@ -172,16 +172,23 @@ void TracedScene::wait_for_foreknowledge(const std::function<bool()>& interrupte
 }
 
 std::optional<std::string> TracedScene::take_item_report() {
-    if (items_reported_ || !item_search_ || !items_finished()) return std::nullopt;
+    if (items_reported_ || !items_finished() || !item_search_) return std::nullopt;
     items_reported_ = true;
-    const ItemSearch::Result& result = item_search_->result();
-    if (!result.fault.empty()) return "no item buffer: " + result.fault;
-    if (!result.items) return "no item buffer: " + why_not_straight(description_.camera);
-    const auto& surfaces = result.items->surfaces;
-    const auto unknown = std::count(surfaces.begin(), surfaces.end(), ItemBuffer::unknown);
+    if (!item_search_->items()) return "no item buffer: " + why_not_straight(description_.camera);
+    const ItemBuffer& items = *item_search_->items();
+    const auto share = [&](auto count) {
+        return 100. * double(count) / double(std::max<std::size_t>(1, items.surfaces.size()));
+    };
+    const auto of = [&](Look::Kind kind) {
+        return share(std::count(items.kinds.begin(), items.kinds.end(), kind));
+    };
+    const double unknown =
+        share(std::count(items.surfaces.begin(), items.surfaces.end(), ItemBuffer::unknown));
     return fmt::format(
-        "item buffer drawn in {:.3f} s: {:.2f} % of the pixels known", result.seconds,
-        100 - 100. * double(unknown) / double(std::max<std::size_t>(1, surfaces.size())));
+        "item buffer drawn in {:.3f} s; of the pixels {:.2f} % known: {:.2f} % of one colour, "
+        "{:.2f} % image maps, {:.2f} % textures to be traced, {:.2f} % not told by their albedo",
+        item_search_->seconds(), 100 - unknown, of(Look::Kind::plain), of(Look::Kind::image),
+        of(Look::Kind::traced), of(Look::Kind::mixed) - unknown);
 }
 
 std::optional<std::string> TracedScene::take_edge_report() {

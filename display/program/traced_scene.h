@@ -10,19 +10,19 @@
 #include <vector>
 
 #include "adapter/povray_oracle.h"
+#include "core/detail/item_search.h"
 #include "core/edge_search.h"
 #include "core/methods.h"
-#include "display/item_search.h"
 
 namespace povpreview {
 
 /// What is to be found out about a scene without tracing; nothing by default.
 struct Foreknowledge {
     std::optional<EdgeFinding> edges;
-    std::optional<Backend> items;  ///< the GL that draws the item buffer
+    bool items = false;
 };
 
-Foreknowledge foreknowledge_for(const MethodNeeds& needs, int mirror_depth, Backend backend);
+Foreknowledge foreknowledge_for(const MethodNeeds& needs, int mirror_depth);
 
 /// A scene in a tracer of its own, parsed, and the clocks that run since.
 class TracedScene {
@@ -82,14 +82,14 @@ class TracedScene {
     Clock::time_point launched_ = Clock::now(), parsed_;
     double paused_s_ = 0;
     std::optional<Clock::time_point> paused_at_;
-    std::unique_ptr<ItemSearch> item_search_;  // before the tracer: made ready while that parses
     PovrayOracle oracle_;
     const SceneDescription& description_;
 
     void take_geometry();
-    void draw_items();
+    void paint_items();
 
-    bool items_begun_ = false, items_reported_ = false;
+    bool wants_items_, items_reported_ = false;
+    std::optional<ItemSearch> item_search_;
     std::shared_future<ItemSearch::Scene> drawable_;  // valid when the geometry has come
     bool has_images_ = false;
     std::optional<EdgeFinding> edge_finding_;

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "core/detail/albedo_fetch.h"
+
+#include <algorithm>
+
+namespace povpreview {
+
+namespace {
+
+/// Edges between colours nearer than this (colour_distance()) tell nothing.
+constexpr float least_jump = 4e-4f;
+
+/// The dearest albedo rays, against full samples, that are worth having: where the albedo is known
+/// to vary, and where nothing is known but that colours differ.
+constexpr double dearest_albedo = .6, dearest_look = .06;
+
+/// Edges that must tell of a surface's texture before it is fetched as a whole.
+constexpr std::uint32_t edges_for_whole = 4;
+
+/// What surfaces fetched as a whole may cost, against the full samples of the same time.
+const double whole_share = getenv("WS") ? atof(getenv("WS")) : 1;
+
+}  // namespace
+
+bool AlbedoFetch::tells(std::uint32_t p, std::uint32_t q, float jump, bool explained) {
+    if (jump < least_jump || price_ > dearest_albedo) return false;
+    if (std::max(p, q) < DetailMap::unknown) {
+        if (items_.size() <= std::max(p, q)) items_.resize(std::max(p, q) + 1);
+        for (std::uint32_t item : {p, q}) {
+            ++(explained ? items_[item].explained : items_[item].unexplained);
+            if (explained) items_[item].jumps += jump;
+            if (p == q) break;
+        }
+        Item& item = items_[p];
+        if (p == q && !item.whole && item.explained >= edges_for_whole &&
+            item.explained > item.unexplained) {
+            item.whole = true;
+            whole_.push_back(p);
+        }
+    }
+    return explained || price_ <= dearest_look;
+}
+
+void AlbedoFetch::want(std::size_t square) {
+    if (asked_[square] || squares_.filling(square)) return;
+    asked_[square] = true;
+    wanted_.push_back(square);
+}
+
+void AlbedoFetch::full_asked() {
+    if (whole_.empty() && rest_.empty()) return;
+    credit_ = std::min(credit_ + whole_share / price_, 4096.);
+}
+
+std::optional<Pixel> AlbedoFetch::next(const DetailMap* detail) {
+    if (auto pixel = next_wanted(detail)) return pixel;
+    if (credit_ < 1 || !detail) return std::nullopt;
+    const auto pixel = next_of_whole(*detail);
+    if (pixel) credit_ -= 1;
+    return pixel;
+}
+
+std::optional<Pixel> AlbedoFetch::next_wanted(const DetailMap* detail) {
+    while (!wanted_.empty()) {
+        while (scanned_ < BfSquares::side * BfSquares::side) {
+            const auto pixel = squares_.pixel_in(wanted_.front(), scanned_++);
+            if (pixel && (!detail || detail->wants_albedo(*pixel))) return pixel;
+        }
+        wanted_.pop_front();
+        scanned_ = 0;
+    }
+    return std::nullopt;
+}
+
+std::optional<Pixel> AlbedoFetch::next_of_whole(const DetailMap& detail) {
+    for (;;) {
+        while (!rest_.empty()) {
+            const Pixel pixel = rest_.back();
+            rest_.pop_back();
+            const std::size_t square = squares_.square_of(pixel);
+            if (detail.wants_albedo(pixel) && !asked_[square] && !squares_.filling(square))
+                return pixel;
+        }
+        if (whole_.empty()) return std::nullopt;
+        begin_whole(detail);
+    }
+}
+
+/// The surface whose texture is seen most; its pixels square by square.
+void AlbedoFetch::begin_whole(const DetailMap& detail) {
+    const auto seen = [&](std::uint32_t i) {
+        return items_[i].jumps / static_cast<float>(items_[i].explained);
+    };
+    const auto most =
+        std::max_element(whole_.begin(), whole_.end(),
+                         [&](std::uint32_t a, std::uint32_t b) { return seen(a) < seen(b); });
+    current_ = *most;
+    whole_.erase(most);
+    for (Pixel pixel = 0; pixel < squares_.pixels(); ++pixel)
+        if (detail.item(pixel) == current_ && detail.wants_albedo(pixel)) rest_.push_back(pixel);
+    std::stable_sort(rest_.begin(), rest_.end(), [&](Pixel a, Pixel b) {
+        return squares_.square_of(a) > squares_.square_of(b);
+    });
+}
+
+void AlbedoFetch::clear() {
+    wanted_.clear();
+    whole_.clear();
+    rest_.clear();
+    scanned_ = 0;
+}
+
+}  // namespace povpreview

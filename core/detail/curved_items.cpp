@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "core/detail/curved_items.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+
+#include "core/detail/solid_rays.h"
+
+namespace povpreview {
+
+namespace {
+
+/// What an object may take: roots and values of solids, each for ray_lanes rays and so some twenty
+/// nanoseconds.
+constexpr std::size_t most_work = 5'000'000;
+
+/// A point with |f| within this may lie on either side of a solid, since rounding decides, ours or
+/// the ray tracer's (POV-Ray's own tolerances are of this order).
+constexpr double doubt = 1e-9;
+
+/// Depth of a condition's stack; DrawableScene allows no more.
+constexpr std::size_t stack_depth = 32;
+
+/// A truth value for each of the rays worked on.
+using Mask = std::uint32_t;
+constexpr Mask all_lanes = (Mask{1} << ray_lanes) - 1;
+
+template <class Test>
+Mask mask_of(const Test& test) {
+    Mask mask = 0;
+    for (int i = 0; i < ray_lanes; ++i) mask |= Mask(bool(test(i))) << i;
+    return mask;
+}
+
+/// One object, row by row.
+class CurvedDrawing {
+   public:
+    CurvedDrawing(const DrawableScene& scene, const CurvedObject& object, const PixelRays& rays,
+                  ItemCanvas& canvas)
+        : scene_(scene), object_(object), rays_(rays), canvas_(canvas) {
+        const auto use = [&](std::uint32_t solid) {
+            const auto found = std::find(solids_.begin(), solids_.end(), solid);
+            if (found == solids_.end()) solids_.push_back(solid);
+        };
+        for (const CurvedPiece& piece : pieces()) {
+            use(piece.solid);
+            for (ConditionStep step : steps(piece))
+                if (step >= 0) use(static_cast<std::uint32_t>(step));
+        }
+    }
+
+    /// False when it took too long: then the object is not drawn to its end.
+    bool draw(const PixelBox& box, const std::atomic<bool>& stop) {
+        for (int y = box.top; y < box.bottom && !stop; ++y) {
+            draw_row(y, box.left, box.right);
+            if (work_ > most_work) return false;
+        }
+        return true;
+    }
+
+   private:
+    void draw_row(int y, int left, int right) {
+        rows_.resize(scene_.solids.size());
+        for (std::uint32_t solid : solids_)
+            rows_[solid] = row_rays(rays_, scene_.solids[solid], y + .5);
+        for (int x = left; x < right; x += ray_lanes)
+            draw_block(x, y, std::min(right - x, ray_lanes));
+    }
+
+    std::span<const CurvedPiece> pieces() const {
+        return std::span(scene_.pieces).subspan(object_.first_piece, object_.pieces);
+    }
+    std::span<const ConditionStep> steps(const CurvedPiece& piece) const {
+        return std::span(scene_.conditions).subspan(piece.first_condition, piece.conditions);
+    }
+
+    void draw_block(int x, int y, int count) {
+        for (int i = 0; i < ray_lanes; ++i) x_[i] = x + i + .5;
+        const std::size_t first = canvas_.index(x, y);
+        const Mask inside = all_lanes >> (ray_lanes - count);
+        for (std::uint32_t p = 0; p < object_.pieces; ++p) {
+            const std::uint32_t number = object_.first_piece + p;
+            const CurvedPiece& piece = scene_.pieces[number];
+            const Solid& solid = scene_.solids[piece.solid];
+            find_roots(solid, rows_[piece.solid], x_, roots_);
+            ++work_;
+            for (int r = 0; r < root_count(solid); ++r) {
+                const RayLanes& t = roots_[r];
+                Mask seen = inside & mask_of([&](int i) { return t[i] > 0 && t[i] < 1e300; });
+                if (seen == 0) continue;
+                seen &= mask_of([&](int i) {
+                    return (seen >> i & 1) && !(rays_.nearness(t[i]) < canvas_.nearness(first + i));
+                });
+                if (seen == 0) continue;
+                const Verdict verdict = piece.conditions > 0 ? holds(piece, t) : Verdict{};
+                for (int i = 0; i < count; ++i) {
+                    if (!((seen & verdict.possible) >> i & 1)) continue;
+                    if (verdict.sure >> i & 1)
+                        canvas_.draw(first + i, rays_.nearness(t[i]),
+                                     ItemCanvas::piece_bit | number);
+                    else
+                        canvas_.hide(first + i, rays_.nearness(t[i]));
+                }
+            }
+        }
+    }
+
+    /// Where a condition holds for certain, and where it may.
+    struct Verdict {
+        Mask sure = all_lanes, possible = all_lanes;
+    };
+    Verdict holds(const CurvedPiece& piece, const RayLanes& t) {
+        Verdict stack[stack_depth];
+        std::size_t top = 0;
+        for (ConditionStep step : steps(piece)) {
+            switch (step) {
+                case condition_not:
+                    stack[top - 1] = {~stack[top - 1].possible, ~stack[top - 1].sure};
+                    break;
+                case condition_and:
+                    --top;
+                    stack[top - 1].sure &= stack[top].sure;
+                    stack[top - 1].possible &= stack[top].possible;
+                    break;
+                case condition_or:
+                    --top;
+                    stack[top - 1].sure |= stack[top].sure;
+                    stack[top - 1].possible |= stack[top].possible;
+                    break;
+                default: {
+                    const auto solid = static_cast<std::uint32_t>(step);
+                    find_values(scene_.solids[solid], rows_[solid], x_, t, values_);
+                    ++work_;
+                    stack[top++] = {mask_of([&](int i) { return values_[i] < -doubt; }),
+                                    mask_of([&](int i) { return values_[i] <= doubt; })};
+                }
+            }
+        }
+        return stack[0];
+    }
+
+    const DrawableScene& scene_;
+    const CurvedObject& object_;
+    const PixelRays& rays_;
+    ItemCanvas& canvas_;
+    std::size_t work_ = 0;
+    std::vector<std::uint32_t> solids_;  // that it needs
+    std::vector<RowRays> rows_;          // by solid
+    RayLanes x_{}, values_{};
+    std::array<RayLanes, most_roots> roots_{};
+};
+
+/// Whether all indices of an object are in range, and its conditions run.
+bool sound(const DrawableScene& scene, const CurvedObject& object) {
+    const auto within = [](std::uint64_t first, std::uint64_t count, std::size_t size) {
+        return first + count <= size;
+    };
+    if (!within(object.first_piece, object.pieces, scene.pieces.size())) return false;
+    for (std::uint32_t p = 0; p < object.pieces; ++p) {
+        const CurvedPiece& piece = scene.pieces[object.first_piece + p];
+        if (piece.solid >= scene.solids.size() ||
+            !within(piece.first_condition, piece.conditions, scene.conditions.size()))
+            return false;
+        std::size_t depth = 0;
+        for (std::uint32_t s = 0; s < piece.conditions; ++s) {
+            const ConditionStep step = scene.conditions[piece.first_condition + s];
+            const std::size_t taken = step >= 0 ? 0 : step == condition_not ? 1 : 2;
+            if (depth < taken || step < condition_or) return false;
+            depth = depth - taken + 1;
+            if (depth > stack_depth) return false;
+            if (step >= 0 && static_cast<std::size_t>(step) >= scene.solids.size()) return false;
+        }
+        if (piece.conditions > 0 && depth != 1) return false;
+    }
+    return true;
+}
+
+/// The depth at which a pixel's ray enters a box; nothing (an empty interval) where it misses.
+bool enters(const PixelRays& rays, const Bounds& box, glm::dvec2 pixel, double& depth) {
+    const glm::dvec3 from = rays.point(pixel, 0), along = rays.point(pixel, 1) - from;
+    double first = 0, last = std::numeric_limits<double>::infinity();
+    for (int k = 0; k < 3; ++k) {
+        if (along[k] == 0) {
+            if (from[k] < box.low[k] || from[k] > box.high[k]) return false;
+            continue;
+        }
+        const double a = (box.low[k] - from[k]) / along[k], b = (box.high[k] - from[k]) / along[k];
+        first = std::max(first, std::min(a, b));
+        last = std::min(last, std::max(a, b));
+    }
+    depth = first;
+    return first <= last;
+}
+
+void hide_behind(const Bounds& box, const PixelRays& rays, ItemCanvas& canvas) {
+    const PixelBox pixels = pixel_box(rays, box, canvas.width(), canvas.height());
+    for (int y = pixels.top; y < pixels.bottom; ++y)
+        for (int x = pixels.left; x < pixels.right; ++x) {
+            double depth = 0;
+            if (!enters(rays, box, {x + .5, y + .5}, depth)) continue;
+            canvas.hide(canvas.index(x, y),
+                        depth > 0 ? rays.nearness(depth) : std::numeric_limits<double>::infinity());
+        }
+}
+
+}  // namespace
+
+void draw_curved(const DrawableScene& scene, const PixelRays& rays, ItemCanvas& canvas,
+                 const std::atomic<bool>& stop) {
+    std::vector<Bounds> unknown = scene.unknown;
+    for (const CurvedObject& object : scene.objects) {
+        if (!sound(scene, object)) {
+            unknown.push_back(object.bounds);
+            continue;
+        }
+        const PixelBox box = pixel_box(rays, object.bounds, canvas.width(), canvas.height());
+        if (!CurvedDrawing(scene, object, rays, canvas).draw(box, stop))
+            unknown.push_back(object.bounds);
+    }
+    for (const Bounds& box : unknown)
+        if (!stop) hide_behind(box, rays, canvas);
+}
+
+}  // namespace povpreview

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace povpreview {
+
+/// A depth buffer with what was drawn into it. Nearness: see PixelRays::nearness().
+class ItemCanvas {
+   public:
+    /// What a pixel shows: the number of a face, that of a curved piece with this bit set, or one
+    /// of the two values below.
+    using Source = std::uint32_t;
+    static constexpr Source piece_bit = 0x80000000, unknown = 0xffffffff, nothing = 0xfffffffe;
+
+    ItemCanvas(int width, int height)
+        : width_(width),
+          height_(height),
+          nearness_(std::size_t(width) * std::size_t(height),
+                    -std::numeric_limits<double>::infinity()),
+          sources_(nearness_.size(), nothing) {}
+
+    int width() const { return width_; }
+    int height() const { return height_; }
+    std::size_t index(int x, int y) const { return std::size_t(y) * std::size_t(width_) + x; }
+    double nearness(std::size_t pixel) const { return nearness_[pixel]; }
+    Source source(std::size_t pixel) const { return sources_[pixel]; }
+
+    /// Draws where it is nearer than what is there. Of two that coincide none is known to be seen.
+    void draw(std::size_t pixel, double nearness, Source source) {
+        const double before = nearness_[pixel], slack = coincidence * std::abs(nearness);
+        if (!(nearness > before - slack)) return;
+        if (nearness <= before + slack) {
+            const bool same = sources_[pixel] == source;
+            if (!same) ties_.push_back({pixel, nearness, sources_[pixel], source});
+            if (nearness <= before) return;
+        }
+        nearness_[pixel] = nearness;
+        sources_[pixel] = source;
+    }
+    /// Hides what is not nearer than this behind something unknown.
+    void hide(std::size_t pixel, double nearness) {
+        if (nearness < nearness_[pixel]) return;
+        nearness_[pixel] = nearness;
+        sources_[pixel] = unknown;
+    }
+
+    /// Two that coincided when the later one was drawn; something may have come before them since.
+    struct Tie {
+        std::size_t pixel;
+        double nearness;
+        Source first, second;
+    };
+    const std::vector<Tie>& ties() const { return ties_; }
+    /// Whether a tie still stands.
+    bool stands(const Tie& tie) const {
+        return nearness_[tie.pixel] <= tie.nearness * (1 + 2 * coincidence) &&
+               sources_[tie.pixel] != unknown;
+    }
+
+   private:
+    /// Share of the nearness by which rounding, ours and the ray tracer's, may move a surface.
+    static constexpr double coincidence = 1e-9;
+
+    int width_, height_;
+    std::vector<double> nearness_;
+    std::vector<Source> sources_;
+    std::vector<Tie> ties_;
+};
+
+}  // namespace povpreview

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "core/detail/item_painter.h"
+
+#include <glm/geometric.hpp>
+
+#include "core/detail/curved_items.h"
+#include "core/detail/face_items.h"
+#include "core/detail/image_look.h"
+
+namespace povpreview {
+
+namespace {
+
+using Source = ItemCanvas::Source;
+
+/// What a canvas shows, told in the scene's terms.
+class Reading {
+   public:
+    Reading(const DrawableScene& scene, const PixelRays& rays, const ItemCanvas& canvas)
+        : scene_(scene), rays_(rays), canvas_(canvas) {}
+
+    ItemBuffer read() {
+        result_.width = canvas_.width();
+        result_.height = canvas_.height();
+        const std::size_t pixels = std::size_t(result_.width) * std::size_t(result_.height);
+        result_.surfaces.resize(pixels, ItemBuffer::unknown);
+        result_.kinds.resize(pixels, Look::Kind::mixed);
+        for (int y = 0; y < result_.height; ++y)
+            for (int x = 0; x < result_.width; ++x) read(x, y);
+        for (const ItemCanvas::Tie& tie : canvas_.ties())
+            if (canvas_.stands(tie) && surface(tie.first) != surface(tie.second)) forget(tie.pixel);
+        return std::move(result_);
+    }
+
+   private:
+    std::uint32_t surface(Source source) const {
+        if (source == ItemCanvas::nothing) return ItemBuffer::background;
+        if (source == ItemCanvas::unknown) return ItemBuffer::unknown;
+        if (source & ItemCanvas::piece_bit)
+            return scene_.pieces[source & ~ItemCanvas::piece_bit].surface;
+        return scene_.polygons.faces[source].surface;
+    }
+    std::uint32_t material(Source source) const {
+        if (source & ItemCanvas::piece_bit)
+            return scene_.pieces[source & ~ItemCanvas::piece_bit].material;
+        return scene_.polygons.faces[source].material;
+    }
+
+    void read(int x, int y) {
+        const std::size_t pixel = canvas_.index(x, y);
+        const Source source = canvas_.source(pixel);
+        result_.surfaces[pixel] = surface(source);
+        if (source == ItemCanvas::unknown) return;
+        if (source == ItemCanvas::nothing) {
+            // A sky may be of any colour, and nothing tells it apart from light.
+            result_.kinds[pixel] = Look::Kind::plain;
+            return;
+        }
+        const std::uint32_t number = material(source);
+        if (number >= scene_.looks.size()) return;
+        const Look& look = scene_.looks[number];
+        result_.kinds[pixel] = look.kind;
+        if (look.kind == Look::Kind::image) look_up(look.image, x, y, pixel, source);
+    }
+
+    void look_up(const ImageLook& look, int x, int y, std::size_t pixel, Source source) {
+        const glm::dvec3 point =
+            rays_.point({x + .5, y + .5}, rays_.depth(canvas_.nearness(pixel)));
+        const auto albedo = image_albedo(scene_, look, point, uv(point, source));
+        if (!albedo) {
+            result_.kinds[pixel] = Look::Kind::traced;
+            return;
+        }
+        if (result_.albedos.empty()) result_.albedos.resize(result_.surfaces.size());
+        result_.albedos[pixel] = *albedo;
+    }
+
+    /// Of a point on a triangle with UV coordinates.
+    glm::dvec2 uv(const glm::dvec3& point, Source source) const {
+        if ((source & ItemCanvas::piece_bit) || scene_.corner_uvs.empty()) return {};
+        const PolygonScene& polygons = scene_.polygons;
+        const Face& face = polygons.faces[source];
+        const glm::dvec3 a = polygons.corner(face, 0), ab = polygons.corner(face, 1) - a,
+                         ac = polygons.corner(face, 2) - a, ap = point - a;
+        const glm::dvec3 normal = glm::cross(ab, ac);
+        const double area = glm::dot(normal, normal);
+        const double v = glm::dot(glm::cross(ap, ac), normal) / area,
+                     w = glm::dot(glm::cross(ab, ap), normal) / area;
+        const auto at = [&](std::size_t corner) {
+            return glm::dvec2(scene_.corner_uvs[face.first + corner]);
+        };
+        return (1 - v - w) * at(0) + v * at(1) + w * at(2);
+    }
+
+    void forget(std::size_t pixel) {
+        result_.surfaces[pixel] = ItemBuffer::unknown;
+        result_.kinds[pixel] = Look::Kind::mixed;
+    }
+
+    const DrawableScene& scene_;
+    const PixelRays& rays_;
+    const ItemCanvas& canvas_;
+    ItemBuffer result_;
+};
+
+}  // namespace
+
+ItemBuffer paint_items(const DrawableScene& scene, const std::atomic<bool>& stop) {
+    const PolygonScene& polygons = scene.polygons;
+    ItemCanvas canvas(polygons.width, polygons.height);
+    const PixelRays rays(polygons.camera);
+    if (!rays.valid) {
+        for (std::size_t pixel = 0; pixel < canvas.index(0, polygons.height); ++pixel)
+            canvas.hide(pixel, 0);
+    } else {
+        draw_faces(polygons, rays, canvas, stop);
+        draw_curved(scene, rays, canvas, stop);
+    }
+    return Reading(scene, rays, canvas).read();
+}
+
+}  // namespace povpreview

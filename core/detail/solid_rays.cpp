@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "core/detail/solid_rays.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/glm.hpp>
+#include <limits>
+
+namespace povpreview {
+
+namespace {
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+/// Quadratic forms x^2 m.x + y^2 m.y + z^2 m.z + constant, of the canonical solids.
+struct Diagonal {
+    glm::dvec3 m;
+    double constant;
+};
+Diagonal diagonal(Solid::Kind kind) {
+    switch (kind) {
+        case Solid::Kind::cylinder:
+            return {{1, 1, 0}, -1};
+        case Solid::Kind::cone:
+            return {{1, 1, -1}, 0};
+        default:
+            return {{1, 1, 1}, -1};
+    }
+}
+
+/// Roots of a t^2 + 2 b t + c, without cancellation, and where a vanishes.
+inline void parabola_roots(double a, double b, double c, double& first, double& second) {
+    const double square = b * b - a * c;
+    const double q = -(b + std::copysign(std::sqrt(std::max(square, 0.)), b));
+    first = square >= 0 ? q / a : none;
+    second = square >= 0 ? c / q : none;
+}
+
+void half_space_roots(const RowRays& r, const RayLanes& x, RayLanes& first, RayLanes& second) {
+    for (int i = 0; i < ray_lanes; ++i) {
+        first[i] = -(r.from.z + x[i] * r.from_step.z) / (r.along.z + x[i] * r.along_step.z);
+        second[i] = none;
+    }
+}
+
+void diagonal_roots(const Diagonal& f, const RowRays& r, const RayLanes& x, RayLanes& first,
+                    RayLanes& second) {
+    for (int i = 0; i < ray_lanes; ++i) {
+        const double ox = r.from.x + x[i] * r.from_step.x, oy = r.from.y + x[i] * r.from_step.y,
+                     oz = r.from.z + x[i] * r.from_step.z;
+        const double dx = r.along.x + x[i] * r.along_step.x, dy = r.along.y + x[i] * r.along_step.y,
+                     dz = r.along.z + x[i] * r.along_step.z;
+        const double a = f.m.x * dx * dx + f.m.y * dy * dy + f.m.z * dz * dz;
+        const double b = f.m.x * ox * dx + f.m.y * oy * dy + f.m.z * oz * dz;
+        const double c = f.m.x * ox * ox + f.m.y * oy * oy + f.m.z * oz * oz + f.constant;
+        parabola_roots(a, b, c, first[i], second[i]);
+    }
+}
+
+using Coefficients = std::array<double, 10>;
+
+/// c . (xx, yy, zz, xy, xz, yz, x, y, z, 1), its linear part and its quadratic part.
+double quadric_value(const Coefficients& c, const glm::dvec3& p) {
+    return c[0] * p.x * p.x + c[1] * p.y * p.y + c[2] * p.z * p.z + c[3] * p.x * p.y +
+           c[4] * p.x * p.z + c[5] * p.y * p.z + c[6] * p.x + c[7] * p.y + c[8] * p.z + c[9];
+}
+glm::dvec3 quadric_gradient(const Coefficients& c, const glm::dvec3& p) {
+    return {2 * c[0] * p.x + c[3] * p.y + c[4] * p.z + c[6],
+            2 * c[1] * p.y + c[3] * p.x + c[5] * p.z + c[7],
+            2 * c[2] * p.z + c[4] * p.x + c[5] * p.y + c[8]};
+}
+
+void quadric_roots(const Coefficients& c, const RowRays& r, const RayLanes& x, RayLanes& first,
+                   RayLanes& second) {
+    Coefficients quadratic = c;
+    std::fill(quadratic.begin() + 6, quadratic.end(), 0.);
+    for (int i = 0; i < ray_lanes; ++i) {
+        const glm::dvec3 o = r.from + x[i] * r.from_step, d = r.along + x[i] * r.along_step;
+        parabola_roots(quadric_value(quadratic, d), glm::dot(quadric_gradient(c, o), d) / 2,
+                       quadric_value(c, o), first[i], second[i]);
+    }
+}
+
+// ---- the torus
+
+/// A polynomial of degree at most four, the constant first.
+using Polynomial = std::array<double, 5>;
+
+double value(const Polynomial& p, double t) {
+    return p[0] + t * (p[1] + t * (p[2] + t * (p[3] + t * p[4])));
+}
+Polynomial derivative(const Polynomial& p) { return {p[1], 2 * p[2], 3 * p[3], 4 * p[4], 0}; }
+
+/// Between two ends of different sign.
+double root_between(const Polynomial& p, double low, double high) {
+    const bool rises = value(p, low) < 0;
+    const Polynomial slope = derivative(p);
+    double t = (low + high) / 2;
+    for (int step = 0; step < 60 && high - low > 1e-14 * (std::abs(low) + std::abs(high)); ++step) {
+        const double f = value(p, t);
+        ((f < 0) == rises ? low : high) = t;
+        // Newton's step if it stays between the ends, else half way.
+        const double next = t - f / value(slope, t);
+        if (next == t) break;
+        t = next > low && next < high ? next : (low + high) / 2;
+    }
+    return t;
+}
+
+/// Roots within [low, high], from the extrema between them; so the derivatives are solved first.
+int roots_within(const Polynomial& p, int degree, double low, double high, double* roots) {
+    if (degree == 1) {
+        const double t = -p[0] / p[1];
+        if (!(t >= low && t <= high)) return 0;
+        roots[0] = t;
+        return 1;
+    }
+    double bounds[6] = {low};
+    const int extrema = roots_within(derivative(p), degree - 1, low, high, bounds + 1);
+    bounds[extrema + 1] = high;
+    int found = 0;
+    for (int i = 0; i <= extrema; ++i) {
+        const double a = value(p, bounds[i]), b = value(p, bounds[i + 1]);
+        if ((a < 0) != (b < 0)) roots[found++] = root_between(p, bounds[i], bounds[i + 1]);
+    }
+    return found;
+}
+
+/// Around the y axis, major radius 1. With s the length along the ray from the point nearest to the
+/// centre, |p|^2 = m + s^2, and the surface is (m + s^2 + 1 - r^2)^2 = 4 (x^2 + z^2).
+int torus_roots(double r, const glm::dvec3& from, const glm::dvec3& along, double* roots) {
+    const double length = glm::length(along);
+    const glm::dvec3 d = along / length;
+    const double nearest = -glm::dot(from, d);
+    const glm::dvec3 p = from + nearest * d;
+    const double m = glm::dot(p, p), reach = (1 + r) * (1 + r) - m;
+    if (!(reach > 0)) return 0;
+    const double k = m + 1 - r * r;
+    const Polynomial f{k * k - 4 * (p.x * p.x + p.z * p.z), -8 * (p.x * d.x + p.z * d.z),
+                       2 * k - 4 * (d.x * d.x + d.z * d.z), 0, 1};
+    const double half = std::sqrt(reach) * (1 + 1e-9);
+    const int found = roots_within(f, 4, -half, half, roots);
+    for (int i = 0; i < found; ++i) roots[i] = (nearest + roots[i]) / length;
+    return found;
+}
+
+}  // namespace
+
+RowRays row_rays(const PixelRays& rays, const Solid& solid, double y) {
+    const glm::dmat3 linear(solid.to_frame);
+    const glm::dvec3 origin = solid.to_frame * glm::dvec4(rays.origin, 1);
+    const glm::dvec3 along = linear * rays.along, across = linear * rays.across,
+                     down = linear * rays.down;
+    if (rays.orthographic) return {origin + y * down, across, along, glm::dvec3(0)};
+    return {origin, glm::dvec3(0), along + y * down, across};
+}
+
+void find_roots(const Solid& solid, const RowRays& rays, const RayLanes& x,
+                std::array<RayLanes, most_roots>& roots) {
+    switch (solid.kind) {
+        case Solid::Kind::half_space:
+            return half_space_roots(rays, x, roots[0], roots[1]);
+        case Solid::Kind::sphere:
+        case Solid::Kind::cylinder:
+        case Solid::Kind::cone:
+            return diagonal_roots(diagonal(solid.kind), rays, x, roots[0], roots[1]);
+        case Solid::Kind::quadric:
+            return quadric_roots(solid.coefficients, rays, x, roots[0], roots[1]);
+        case Solid::Kind::torus:
+            for (int i = 0; i < ray_lanes; ++i) {
+                double found[most_roots];
+                const int count =
+                    torus_roots(solid.coefficients[0], rays.from + x[i] * rays.from_step,
+                                rays.along + x[i] * rays.along_step, found);
+                for (int j = 0; j < most_roots; ++j) roots[j][i] = j < count ? found[j] : none;
+            }
+    }
+}
+
+void find_values(const Solid& solid, const RowRays& r, const RayLanes& x, const RayLanes& t,
+                 RayLanes& values) {
+    RayLanes px, py, pz;
+    for (int i = 0; i < ray_lanes; ++i) {
+        px[i] = r.from.x + x[i] * r.from_step.x + t[i] * (r.along.x + x[i] * r.along_step.x);
+        py[i] = r.from.y + x[i] * r.from_step.y + t[i] * (r.along.y + x[i] * r.along_step.y);
+        pz[i] = r.from.z + x[i] * r.from_step.z + t[i] * (r.along.z + x[i] * r.along_step.z);
+    }
+    switch (solid.kind) {
+        case Solid::Kind::half_space:
+            values = pz;
+            break;
+        case Solid::Kind::sphere:
+        case Solid::Kind::cylinder:
+        case Solid::Kind::cone: {
+            const Diagonal f = diagonal(solid.kind);
+            for (int i = 0; i < ray_lanes; ++i)
+                values[i] = f.m.x * px[i] * px[i] + f.m.y * py[i] * py[i] + f.m.z * pz[i] * pz[i] +
+                            f.constant;
+            break;
+        }
+        case Solid::Kind::quadric:
+            for (int i = 0; i < ray_lanes; ++i)
+                values[i] = quadric_value(solid.coefficients, {px[i], py[i], pz[i]});
+            break;
+        case Solid::Kind::torus: {
+            const double r2 = solid.coefficients[0] * solid.coefficients[0];
+            for (int i = 0; i < ray_lanes; ++i) {
+                const double aside = std::sqrt(px[i] * px[i] + pz[i] * pz[i]) - 1;
+                values[i] = aside * aside + py[i] * py[i] - r2;
+            }
+        }
+    }
+}
+
+}  // namespace povpreview

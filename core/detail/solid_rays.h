@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <array>
+
+#include "core/detail/pixel_rays.h"
+
+namespace povpreview {
+
+/// Pixels of a row that are worked on at a time: enough for the compiler to use vectors.
+inline constexpr int ray_lanes = 16;
+using RayLanes = std::array<double, ray_lanes>;
+
+/// The rays of a row of pixels in a solid's own frame: from + x from_step + t (along + x
+/// along_step) for the pixel coordinate x and the depth t.
+struct RowRays {
+    glm::dvec3 from{}, from_step{}, along{}, along_step{};
+};
+
+/// `y`: pixel coordinate of the row.
+RowRays row_rays(const PixelRays& rays, const Solid& solid, double y);
+
+/// How often a ray meets the surface of a solid at most: a torus four times, all others twice.
+inline constexpr int most_roots = 4;
+inline int root_count(const Solid& solid) { return solid.kind == Solid::Kind::torus ? 4 : 2; }
+
+/// The depths where the rays meet the solid's surface, in any order; not-a-number where there are
+/// fewer. Writes `root_count(solid)` arrays.
+void find_roots(const Solid& solid, const RowRays& rays, const RayLanes& x,
+                std::array<RayLanes, most_roots>& roots);
+
+/// The solid's f at depths along the rays: inside is f <= 0.
+void find_values(const Solid& solid, const RowRays& rays, const RayLanes& x, const RayLanes& t,
+                 RayLanes& values);
+
+}  // namespace povpreview
