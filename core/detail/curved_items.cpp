@@ -2,6 +2,7 @@
 #include "core/detail/curved_items.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <span>
@@ -27,10 +28,25 @@ constexpr std::size_t stack_depth = 32;
 using Mask = std::uint32_t;
 constexpr Mask all_lanes = (Mask{1} << ray_lanes) - 1;
 
-template <class Test>
-Mask mask_of(const Test& test) {
+/// Where a condition holds for certain, and where it may.
+struct Verdict {
+    Mask sure = all_lanes, possible = all_lanes;
+};
+
+POVPREVIEW_WIDE_VECTORS
+Verdict inside(const RayLanes& values) {
+    Verdict verdict{0, 0};
+    for (int i = 0; i < ray_lanes; ++i) {
+        verdict.sure |= Mask(values[i] < -doubt) << i;
+        verdict.possible |= Mask(values[i] <= doubt) << i;
+    }
+    return verdict;
+}
+
+POVPREVIEW_WIDE_VECTORS
+Mask nearer(const RayLanes& nearness, const double* than) {
     Mask mask = 0;
-    for (int i = 0; i < ray_lanes; ++i) mask |= Mask(bool(test(i))) << i;
+    for (int i = 0; i < ray_lanes; ++i) mask |= Mask(nearness[i] >= than[i]) << i;
     return mask;
 }
 
@@ -40,15 +56,19 @@ class CurvedDrawing {
     CurvedDrawing(const DrawableScene& scene, const CurvedObject& object, const PixelRays& rays,
                   ItemCanvas& canvas)
         : scene_(scene), object_(object), rays_(rays), canvas_(canvas) {
-        const auto use = [&](std::uint32_t solid) {
+        const auto slot = [&](std::uint32_t solid) {
             const auto found = std::find(solids_.begin(), solids_.end(), solid);
-            if (found == solids_.end()) solids_.push_back(solid);
+            if (found != solids_.end()) return static_cast<std::int32_t>(found - solids_.begin());
+            solids_.push_back(solid);
+            return static_cast<std::int32_t>(solids_.size() - 1);
         };
         for (const CurvedPiece& piece : pieces()) {
-            use(piece.solid);
+            piece_slots_.push_back(slot(piece.solid));
+            steps_.emplace_back();
             for (ConditionStep step : steps(piece))
-                if (step >= 0) use(static_cast<std::uint32_t>(step));
+                steps_.back().push_back(step < 0 ? step : slot(static_cast<std::uint32_t>(step)));
         }
+        rows_.resize(solids_.size());
     }
 
     /// False when it took too long: then the object is not drawn to its end.
@@ -62,9 +82,8 @@ class CurvedDrawing {
 
    private:
     void draw_row(int y, int left, int right) {
-        rows_.resize(scene_.solids.size());
-        for (std::uint32_t solid : solids_)
-            rows_[solid] = row_rays(rays_, scene_.solids[solid], y + .5);
+        for (std::size_t i = 0; i < solids_.size(); ++i)
+            rows_[i] = row_rays(rays_, scene_.solids[solids_[i]], y + .5);
         for (int x = left; x < right; x += ray_lanes)
             draw_block(x, y, std::min(right - x, ray_lanes));
     }
@@ -79,42 +98,38 @@ class CurvedDrawing {
     void draw_block(int x, int y, int count) {
         for (int i = 0; i < ray_lanes; ++i) x_[i] = x + i + .5;
         const std::size_t first = canvas_.index(x, y);
-        const Mask inside = all_lanes >> (ray_lanes - count);
+        const Mask within = all_lanes >> (ray_lanes - count);
         for (std::uint32_t p = 0; p < object_.pieces; ++p) {
-            const std::uint32_t number = object_.first_piece + p;
-            const CurvedPiece& piece = scene_.pieces[number];
-            const Solid& solid = scene_.solids[piece.solid];
-            find_roots(solid, rows_[piece.solid], x_, roots_);
+            const auto slot = static_cast<std::size_t>(piece_slots_[p]);
+            const Solid& solid = scene_.solids[solids_[slot]];
+            find_roots(solid, rows_[slot], x_, roots_);
             ++work_;
             for (int r = 0; r < root_count(solid); ++r) {
-                const RayLanes& t = roots_[r];
-                Mask seen = inside & mask_of([&](int i) { return t[i] > 0 && t[i] < 1e300; });
+                find_nearness(rays_.orthographic, roots_[r], nearness_);
+                const Mask seen = within & nearer(nearness_, canvas_.nearness_from(first));
                 if (seen == 0) continue;
-                seen &= mask_of([&](int i) {
-                    return (seen >> i & 1) && !(rays_.nearness(t[i]) < canvas_.nearness(first + i));
-                });
-                if (seen == 0) continue;
-                const Verdict verdict = piece.conditions > 0 ? holds(piece, t) : Verdict{};
-                for (int i = 0; i < count; ++i) {
-                    if (!((seen & verdict.possible) >> i & 1)) continue;
-                    if (verdict.sure >> i & 1)
-                        canvas_.draw(first + i, rays_.nearness(t[i]),
-                                     ItemCanvas::piece_bit | number);
-                    else
-                        canvas_.hide(first + i, rays_.nearness(t[i]));
-                }
+                const Verdict verdict = holds(steps_[p], roots_[r]);
+                draw_lanes(first, seen, verdict, ItemCanvas::piece_bit | (object_.first_piece + p));
             }
         }
     }
 
-    /// Where a condition holds for certain, and where it may.
-    struct Verdict {
-        Mask sure = all_lanes, possible = all_lanes;
-    };
-    Verdict holds(const CurvedPiece& piece, const RayLanes& t) {
-        Verdict stack[stack_depth];
+    void draw_lanes(std::size_t first, Mask seen, const Verdict& verdict,
+                    ItemCanvas::Source source) {
+        for (Mask left = seen & verdict.possible; left != 0; left &= left - 1) {
+            const int i = std::countr_zero(left);
+            if (!std::isfinite(nearness_[i])) continue;
+            if (verdict.sure >> i & 1)
+                canvas_.draw(first + i, nearness_[i], source);
+            else
+                canvas_.hide(first + i, nearness_[i]);
+        }
+    }
+
+    Verdict holds(const std::vector<ConditionStep>& condition, const RayLanes& t) {
+        Verdict stack[stack_depth];  // without a condition: everywhere
         std::size_t top = 0;
-        for (ConditionStep step : steps(piece)) {
+        for (ConditionStep step : condition) {
             switch (step) {
                 case condition_not:
                     stack[top - 1] = {~stack[top - 1].possible, ~stack[top - 1].sure};
@@ -130,11 +145,10 @@ class CurvedDrawing {
                     stack[top - 1].possible |= stack[top].possible;
                     break;
                 default: {
-                    const auto solid = static_cast<std::uint32_t>(step);
-                    find_values(scene_.solids[solid], rows_[solid], x_, t, values_);
+                    const auto slot = static_cast<std::size_t>(step);
                     ++work_;
-                    stack[top++] = {mask_of([&](int i) { return values_[i] < -doubt; }),
-                                    mask_of([&](int i) { return values_[i] <= doubt; })};
+                    find_values(scene_.solids[solids_[slot]], rows_[slot], x_, t, values_);
+                    stack[top++] = inside(values_);
                 }
             }
         }
@@ -146,9 +160,11 @@ class CurvedDrawing {
     const PixelRays& rays_;
     ItemCanvas& canvas_;
     std::size_t work_ = 0;
-    std::vector<std::uint32_t> solids_;  // that it needs
-    std::vector<RowRays> rows_;          // by solid
-    RayLanes x_{}, values_{};
+    std::vector<std::uint32_t> solids_;              // that it needs; a slot is a place among them
+    std::vector<std::int32_t> piece_slots_;          // by piece
+    std::vector<std::vector<ConditionStep>> steps_;  // of each piece, with slots for solids
+    std::vector<RowRays> rows_;                      // by slot
+    RayLanes x_{}, values_{}, nearness_{};
     std::array<RayLanes, most_roots> roots_{};
 };
 

@@ -14,12 +14,13 @@ class ItemCanvas {
     /// What a pixel shows: the number of a face, that of a curved piece with this bit set, or one
     /// of the two values below.
     using Source = std::uint32_t;
+    static constexpr std::size_t read_beyond = 64;  ///< pixels, see nearness_from()
     static constexpr Source piece_bit = 0x80000000, unknown = 0xffffffff, nothing = 0xfffffffe;
 
     ItemCanvas(int width, int height)
         : width_(width),
           height_(height),
-          nearness_(std::size_t(width) * std::size_t(height),
+          nearness_(std::size_t(width) * std::size_t(height) + read_beyond,
                     -std::numeric_limits<double>::infinity()),
           sources_(nearness_.size(), nothing) {}
 
@@ -27,6 +28,8 @@ class ItemCanvas {
     int height() const { return height_; }
     std::size_t index(int x, int y) const { return std::size_t(y) * std::size_t(width_) + x; }
     double nearness(std::size_t pixel) const { return nearness_[pixel]; }
+    /// Of the pixels from this one on; a few may be read beyond the last.
+    const double* nearness_from(std::size_t pixel) const { return &nearness_[pixel]; }
     Source source(std::size_t pixel) const { return sources_[pixel]; }
 
     /// Draws where it is nearer than what is there. Of two that coincide none is known to be seen.

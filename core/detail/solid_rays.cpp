@@ -28,32 +28,44 @@ Diagonal diagonal(Solid::Kind kind) {
     }
 }
 
-/// Roots of a t^2 + 2 b t + c, without cancellation, and where a vanishes.
-inline void parabola_roots(double a, double b, double c, double& first, double& second) {
-    const double square = b * b - a * c;
-    const double q = -(b + std::copysign(std::sqrt(std::max(square, 0.)), b));
-    first = square >= 0 ? q / a : none;
-    second = square >= 0 ? c / q : none;
+/// Parabolas a t^2 + 2 b t + c along rays.
+struct Parabolas {
+    RayLanes a, b, c;
+};
+
+/// Their roots, without cancellation, and where a vanishes.
+POVPREVIEW_WIDE_VECTORS
+void parabola_roots(const Parabolas& __restrict p, RayLanes& __restrict first,
+                    RayLanes& __restrict second) {
+    for (int i = 0; i < ray_lanes; ++i) {
+        const double square = p.b[i] * p.b[i] - p.a[i] * p.c[i];
+        const double root = std::sqrt(square);  // not-a-number where there are none, and so on
+        const double q = -(p.b[i] + std::copysign(root, p.b[i]));
+        first[i] = q / p.a[i];
+        second[i] = p.c[i] / q;
+    }
 }
 
-void half_space_roots(const RowRays& r, const RayLanes& x, RayLanes& first, RayLanes& second) {
+POVPREVIEW_WIDE_VECTORS
+void half_space_roots(const RowRays& __restrict r, const RayLanes& __restrict x,
+                      RayLanes& __restrict first, RayLanes& __restrict second) {
     for (int i = 0; i < ray_lanes; ++i) {
         first[i] = -(r.from.z + x[i] * r.from_step.z) / (r.along.z + x[i] * r.along_step.z);
         second[i] = none;
     }
 }
 
-void diagonal_roots(const Diagonal& f, const RowRays& r, const RayLanes& x, RayLanes& first,
-                    RayLanes& second) {
+POVPREVIEW_WIDE_VECTORS
+void find_diagonal(const Diagonal& __restrict f, const RowRays& __restrict r,
+                   const RayLanes& __restrict x, Parabolas& __restrict p) {
     for (int i = 0; i < ray_lanes; ++i) {
         const double ox = r.from.x + x[i] * r.from_step.x, oy = r.from.y + x[i] * r.from_step.y,
                      oz = r.from.z + x[i] * r.from_step.z;
         const double dx = r.along.x + x[i] * r.along_step.x, dy = r.along.y + x[i] * r.along_step.y,
                      dz = r.along.z + x[i] * r.along_step.z;
-        const double a = f.m.x * dx * dx + f.m.y * dy * dy + f.m.z * dz * dz;
-        const double b = f.m.x * ox * dx + f.m.y * oy * dy + f.m.z * oz * dz;
-        const double c = f.m.x * ox * ox + f.m.y * oy * oy + f.m.z * oz * oz + f.constant;
-        parabola_roots(a, b, c, first[i], second[i]);
+        p.a[i] = f.m.x * dx * dx + f.m.y * dy * dy + f.m.z * dz * dz;
+        p.b[i] = f.m.x * ox * dx + f.m.y * oy * dy + f.m.z * oz * dz;
+        p.c[i] = f.m.x * ox * ox + f.m.y * oy * oy + f.m.z * oz * oz + f.constant;
     }
 }
 
@@ -70,14 +82,16 @@ glm::dvec3 quadric_gradient(const Coefficients& c, const glm::dvec3& p) {
             2 * c[2] * p.z + c[4] * p.x + c[5] * p.y + c[8]};
 }
 
-void quadric_roots(const Coefficients& c, const RowRays& r, const RayLanes& x, RayLanes& first,
-                   RayLanes& second) {
+POVPREVIEW_WIDE_VECTORS
+void find_quadric(const Coefficients& __restrict c, const RowRays& __restrict r,
+                  const RayLanes& __restrict x, Parabolas& __restrict p) {
     Coefficients quadratic = c;
     std::fill(quadratic.begin() + 6, quadratic.end(), 0.);
     for (int i = 0; i < ray_lanes; ++i) {
         const glm::dvec3 o = r.from + x[i] * r.from_step, d = r.along + x[i] * r.along_step;
-        parabola_roots(quadric_value(quadratic, d), glm::dot(quadric_gradient(c, o), d) / 2,
-                       quadric_value(c, o), first[i], second[i]);
+        p.a[i] = quadric_value(quadratic, d);
+        p.b[i] = glm::dot(quadric_gradient(c, o), d) / 2;
+        p.c[i] = quadric_value(c, o);
     }
 }
 
@@ -157,15 +171,18 @@ RowRays row_rays(const PixelRays& rays, const Solid& solid, double y) {
 
 void find_roots(const Solid& solid, const RowRays& rays, const RayLanes& x,
                 std::array<RayLanes, most_roots>& roots) {
+    Parabolas parabolas;
     switch (solid.kind) {
         case Solid::Kind::half_space:
             return half_space_roots(rays, x, roots[0], roots[1]);
         case Solid::Kind::sphere:
         case Solid::Kind::cylinder:
         case Solid::Kind::cone:
-            return diagonal_roots(diagonal(solid.kind), rays, x, roots[0], roots[1]);
+            find_diagonal(diagonal(solid.kind), rays, x, parabolas);
+            return parabola_roots(parabolas, roots[0], roots[1]);
         case Solid::Kind::quadric:
-            return quadric_roots(solid.coefficients, rays, x, roots[0], roots[1]);
+            find_quadric(solid.coefficients, rays, x, parabolas);
+            return parabola_roots(parabolas, roots[0], roots[1]);
         case Solid::Kind::torus:
             for (int i = 0; i < ray_lanes; ++i) {
                 double found[most_roots];
@@ -177,6 +194,19 @@ void find_roots(const Solid& solid, const RowRays& rays, const RayLanes& x,
     }
 }
 
+POVPREVIEW_WIDE_VECTORS
+void find_nearness(bool orthographic, const RayLanes& depths, RayLanes& nearness) {
+    constexpr double never = -std::numeric_limits<double>::infinity();
+    constexpr double farthest = 1e300;
+    if (orthographic)
+        for (int i = 0; i < ray_lanes; ++i)
+            nearness[i] = depths[i] > 0 && depths[i] < farthest ? -depths[i] : never;
+    else
+        for (int i = 0; i < ray_lanes; ++i)
+            nearness[i] = depths[i] > 0 && depths[i] < farthest ? 1 / depths[i] : never;
+}
+
+POVPREVIEW_WIDE_VECTORS
 void find_values(const Solid& solid, const RowRays& r, const RayLanes& x, const RayLanes& t,
                  RayLanes& values) {
     RayLanes px, py, pz;

@@ -11,6 +11,15 @@ namespace povpreview {
 inline constexpr int ray_lanes = 16;
 using RayLanes = std::array<double, ray_lanes>;
 
+/// Compiled for wider vectors as well, where the machine has them; sanitizers know nothing of the
+/// choice made at the start of a program.
+#if defined(__x86_64__) && defined(__linux__) && !defined(__SANITIZE_ADDRESS__) && \
+    !defined(__SANITIZE_THREAD__)
+#define POVPREVIEW_WIDE_VECTORS __attribute__((target_clones("avx2", "default")))
+#else
+#define POVPREVIEW_WIDE_VECTORS
+#endif
+
 /// The rays of a row of pixels in a solid's own frame: from + x from_step + t (along + x
 /// along_step) for the pixel coordinate x and the depth t.
 struct RowRays {
@@ -28,6 +37,10 @@ inline int root_count(const Solid& solid) { return solid.kind == Solid::Kind::to
 /// fewer. Writes `root_count(solid)` arrays.
 void find_roots(const Solid& solid, const RowRays& rays, const RayLanes& x,
                 std::array<RayLanes, most_roots>& roots);
+
+/// Of depths along the rays, see PixelRays::nearness(); negative infinity for what lies behind the
+/// eye or is not a number.
+void find_nearness(bool orthographic, const RayLanes& depths, RayLanes& nearness);
 
 /// The solid's f at depths along the rays: inside is f <= 0.
 void find_values(const Solid& solid, const RowRays& rays, const RayLanes& x, const RayLanes& t,
