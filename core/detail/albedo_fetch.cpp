@@ -18,7 +18,7 @@ constexpr double dearest_albedo = .6, dearest_look = .06;
 constexpr std::uint32_t edges_for_whole = 4;
 
 /// What surfaces fetched as a whole may cost, against the full samples of the same time.
-const double whole_share = getenv("WS") ? atof(getenv("WS")) : 1;
+constexpr double whole_share = 1;
 
 }  // namespace
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <limits>
 #include <span>
 
@@ -18,7 +19,8 @@ namespace {
 constexpr std::size_t most_work = 5'000'000;
 
 /// A point with |f| within this may lie on either side of a solid, since rounding decides, ours or
-/// the ray tracer's (POV-Ray's own tolerances are of this order).
+/// the ray tracer's (POV-Ray's own tolerances are of this order). A half space has no size of its
+/// own to measure that by; the point's distance from the eye serves instead.
 constexpr double doubt = 1e-9;
 
 /// Depth of a condition's stack; DrawableScene allows no more.
@@ -33,21 +35,31 @@ struct Verdict {
     Mask sure = all_lanes, possible = all_lanes;
 };
 
+/// `t`: of the points that have the values. `unit`: what their distance from the eye is by it, in
+/// units of the values; 0 where these have a size of their own.
 POVPREVIEW_WIDE_VECTORS
-Verdict inside(const RayLanes& values) {
+Verdict inside(const RayLanes& values, const RayLanes& t, double unit) {
     Verdict verdict{0, 0};
     for (int i = 0; i < ray_lanes; ++i) {
-        verdict.sure |= Mask(values[i] < -doubt) << i;
-        verdict.possible |= Mask(values[i] <= doubt) << i;
+        const double slack = unit > 0 ? doubt * unit * std::abs(t[i]) : doubt;
+        verdict.sure |= Mask(values[i] < -slack) << i;
+        verdict.possible |= Mask(values[i] <= slack) << i;
     }
     return verdict;
 }
 
+/// Those that are no farther, but for what ItemCanvas::draw() has to hear of as a tie.
 POVPREVIEW_WIDE_VECTORS
 Mask nearer(const RayLanes& nearness, const double* than) {
     Mask mask = 0;
-    for (int i = 0; i < ray_lanes; ++i) mask |= Mask(nearness[i] >= than[i]) << i;
+    for (int i = 0; i < ray_lanes; ++i)
+        mask |= Mask(nearness[i] >= than[i] - ItemCanvas::coincidence * std::abs(than[i])) << i;
     return mask;
+}
+
+/// What z in a solid's frame is by distance in the world.
+double z_scale(const Solid& solid) {
+    return glm::length(glm::dvec3(solid.to_frame[0].z, solid.to_frame[1].z, solid.to_frame[2].z));
 }
 
 /// One object, row by row.
@@ -69,6 +81,7 @@ class CurvedDrawing {
                 steps_.back().push_back(step < 0 ? step : slot(static_cast<std::uint32_t>(step)));
         }
         rows_.resize(solids_.size());
+        units_.resize(solids_.size());
     }
 
     /// False when it took too long: then the object is not drawn to its end.
@@ -82,8 +95,12 @@ class CurvedDrawing {
 
    private:
     void draw_row(int y, int left, int right) {
-        for (std::size_t i = 0; i < solids_.size(); ++i)
-            rows_[i] = row_rays(rays_, scene_.solids[solids_[i]], y + .5);
+        const double length = glm::length(rays_.direction({(left + right) / 2., y + .5}));
+        for (std::size_t i = 0; i < solids_.size(); ++i) {
+            const Solid& solid = scene_.solids[solids_[i]];
+            rows_[i] = row_rays(rays_, solid, y + .5);
+            units_[i] = solid.kind == Solid::Kind::half_space ? length * z_scale(solid) : 0;
+        }
         for (int x = left; x < right; x += ray_lanes)
             draw_block(x, y, std::min(right - x, ray_lanes));
     }
@@ -148,7 +165,7 @@ class CurvedDrawing {
                     const auto slot = static_cast<std::size_t>(step);
                     ++work_;
                     find_values(scene_.solids[solids_[slot]], rows_[slot], x_, t, values_);
-                    stack[top++] = inside(values_);
+                    stack[top++] = inside(values_, t, units_[slot]);
                 }
             }
         }
@@ -164,11 +181,20 @@ class CurvedDrawing {
     std::vector<std::int32_t> piece_slots_;          // by piece
     std::vector<std::vector<ConditionStep>> steps_;  // of each piece, with slots for solids
     std::vector<RowRays> rows_;                      // by slot
+    std::vector<double> units_;                      // by slot, see inside()
     RayLanes x_{}, values_{}, nearness_{};
     std::array<RayLanes, most_roots> roots_{};
 };
 
-/// Whether all indices of an object are in range, and its conditions run.
+bool is_finite(const Solid& solid) {
+    double sum = 0;  // of zeros, unless something is not finite
+    for (int i = 0; i < 4; ++i)
+        for (int j = 0; j < 3; ++j) sum += 0 * solid.to_frame[i][j];
+    for (double c : solid.coefficients) sum += 0 * c;
+    return sum == 0;
+}
+
+/// Whether all indices of an object are in range, its conditions run and its solids are some.
 bool sound(const DrawableScene& scene, const CurvedObject& object) {
     const auto within = [](std::uint64_t first, std::uint64_t count, std::size_t size) {
         return first + count <= size;
@@ -176,7 +202,7 @@ bool sound(const DrawableScene& scene, const CurvedObject& object) {
     if (!within(object.first_piece, object.pieces, scene.pieces.size())) return false;
     for (std::uint32_t p = 0; p < object.pieces; ++p) {
         const CurvedPiece& piece = scene.pieces[object.first_piece + p];
-        if (piece.solid >= scene.solids.size() ||
+        if (piece.solid >= scene.solids.size() || !is_finite(scene.solids[piece.solid]) ||
             !within(piece.first_condition, piece.conditions, scene.conditions.size()))
             return false;
         std::size_t depth = 0;
@@ -186,7 +212,9 @@ bool sound(const DrawableScene& scene, const CurvedObject& object) {
             if (depth < taken || step < condition_or) return false;
             depth = depth - taken + 1;
             if (depth > stack_depth) return false;
-            if (step >= 0 && static_cast<std::size_t>(step) >= scene.solids.size()) return false;
+            if (step < 0) continue;
+            const auto solid = static_cast<std::size_t>(step);
+            if (solid >= scene.solids.size() || !is_finite(scene.solids[solid])) return false;
         }
         if (piece.conditions > 0 && depth != 1) return false;
     }

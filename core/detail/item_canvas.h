@@ -16,6 +16,8 @@ class ItemCanvas {
     using Source = std::uint32_t;
     static constexpr std::size_t read_beyond = 64;  ///< pixels, see nearness_from()
     static constexpr Source piece_bit = 0x80000000, unknown = 0xffffffff, nothing = 0xfffffffe;
+    /// Share of the nearness by which rounding, ours and the ray tracer's, may move a surface.
+    static constexpr double coincidence = 1e-9;
 
     ItemCanvas(int width, int height)
         : width_(width),
@@ -65,9 +67,6 @@ class ItemCanvas {
     }
 
    private:
-    /// Share of the nearness by which rounding, ours and the ray tracer's, may move a surface.
-    static constexpr double coincidence = 1e-9;
-
     int width_, height_;
     std::vector<double> nearness_;
     std::vector<Source> sources_;

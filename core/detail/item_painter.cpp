@@ -2,6 +2,7 @@
 #include "core/detail/item_painter.h"
 
 #include <glm/geometric.hpp>
+#include <optional>
 
 #include "core/detail/curved_items.h"
 #include "core/detail/face_items.h"
@@ -66,7 +67,11 @@ class Reading {
     void look_up(const ImageLook& look, int x, int y, std::size_t pixel, Source source) {
         const glm::dvec3 point =
             rays_.point({x + .5, y + .5}, rays_.depth(canvas_.nearness(pixel)));
-        const auto albedo = image_albedo(scene_, look, point, uv(point, source));
+        const bool by_uv = look.mapping == ImageLook::Mapping::uv;
+        const bool drawable = !by_uv || has_uv(source);
+        const auto albedo =
+            drawable ? image_albedo(scene_, look, point, by_uv ? uv(point, source) : glm::dvec2(0))
+                     : std::nullopt;
         if (!albedo) {
             result_.kinds[pixel] = Look::Kind::traced;
             return;
@@ -75,9 +80,13 @@ class Reading {
         result_.albedos[pixel] = *albedo;
     }
 
-    /// Of a point on a triangle with UV coordinates.
+    bool has_uv(Source source) const {
+        if (source & ItemCanvas::piece_bit) return false;
+        const Face& face = scene_.polygons.faces[source];
+        return std::size_t{face.first} + face.count <= scene_.corner_uvs.size();
+    }
+    /// Of a point on a face over which UV coordinates are linear. REQUIRES: has_uv().
     glm::dvec2 uv(const glm::dvec3& point, Source source) const {
-        if ((source & ItemCanvas::piece_bit) || scene_.corner_uvs.empty()) return {};
         const PolygonScene& polygons = scene_.polygons;
         const Face& face = polygons.faces[source];
         const glm::dvec3 a = polygons.corner(face, 0), ab = polygons.corner(face, 1) - a,

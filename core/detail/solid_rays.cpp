@@ -209,6 +209,7 @@ void find_nearness(bool orthographic, const RayLanes& depths, RayLanes& nearness
 POVPREVIEW_WIDE_VECTORS
 void find_values(const Solid& solid, const RowRays& r, const RayLanes& x, const RayLanes& t,
                  RayLanes& values) {
+    constexpr double smallest = std::numeric_limits<double>::min();
     RayLanes px, py, pz;
     for (int i = 0; i < ray_lanes; ++i) {
         px[i] = r.from.x + x[i] * r.from_step.x + t[i] * (r.along.x + x[i] * r.along_step.x);
@@ -220,18 +221,29 @@ void find_values(const Solid& solid, const RowRays& r, const RayLanes& x, const 
             values = pz;
             break;
         case Solid::Kind::sphere:
-        case Solid::Kind::cylinder:
-        case Solid::Kind::cone: {
+        case Solid::Kind::cylinder: {
             const Diagonal f = diagonal(solid.kind);
             for (int i = 0; i < ray_lanes; ++i)
                 values[i] = f.m.x * px[i] * px[i] + f.m.y * py[i] * py[i] + f.m.z * pz[i] * pz[i] +
                             f.constant;
             break;
         }
-        case Solid::Kind::quadric:
-            for (int i = 0; i < ray_lanes; ++i)
-                values[i] = quadric_value(solid.coefficients, {px[i], py[i], pz[i]});
+        case Solid::Kind::cone:
+            for (int i = 0; i < ray_lanes; ++i) {
+                const double z2 = pz[i] * pz[i];
+                values[i] = (px[i] * px[i] + py[i] * py[i] - z2) / (z2 + smallest);
+            }
             break;
+        case Solid::Kind::quadric: {
+            Coefficients sizes = solid.coefficients;
+            for (double& c : sizes) c = std::abs(c);
+            for (int i = 0; i < ray_lanes; ++i) {
+                const glm::dvec3 p(px[i], py[i], pz[i]);
+                values[i] = quadric_value(solid.coefficients, p) /
+                            (quadric_value(sizes, glm::abs(p)) + smallest);
+            }
+            break;
+        }
         case Solid::Kind::torus: {
             const double r2 = solid.coefficients[0] * solid.coefficients[0];
             for (int i = 0; i < ray_lanes; ++i) {

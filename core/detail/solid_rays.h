@@ -42,7 +42,8 @@ void find_roots(const Solid& solid, const RowRays& rays, const RayLanes& x,
 /// eye or is not a number.
 void find_nearness(bool orthographic, const RayLanes& depths, RayLanes& nearness);
 
-/// The solid's f at depths along the rays: inside is f <= 0.
+/// The solid's f at depths along the rays: inside is f <= 0. Where f has no scale of its own, of a
+/// cone and a quadric, it is divided by the size of its terms; a half space's is in its frame's.
 void find_values(const Solid& solid, const RowRays& rays, const RayLanes& x, const RayLanes& t,
                  RayLanes& values);
 
