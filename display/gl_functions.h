@@ -17,8 +17,6 @@
     X(PFNGLBUFFERDATAPROC, BufferData)                                         \
     X(PFNGLCHECKFRAMEBUFFERSTATUSPROC, CheckFramebufferStatus)                 \
     X(PFNGLCLEARPROC, Clear)                                                   \
-    X(PFNGLCLEARBUFFERFVPROC, ClearBufferfv)                                   \
-    X(PFNGLCLEARBUFFERUIVPROC, ClearBufferuiv)                                 \
     X(PFNGLCLEARCOLORPROC, ClearColor)                                         \
     X(PFNGLCOMPILESHADERPROC, CompileShader)                                   \
     X(PFNGLCREATEPROGRAMPROC, CreateProgram)                                   \
@@ -30,7 +28,6 @@
     X(PFNGLDELETESHADERPROC, DeleteShader)                                     \
     X(PFNGLDELETETEXTURESPROC, DeleteTextures)                                 \
     X(PFNGLDELETEVERTEXARRAYSPROC, DeleteVertexArrays)                         \
-    X(PFNGLDEPTHFUNCPROC, DepthFunc)                                           \
     X(PFNGLDISABLEPROC, Disable)                                               \
     X(PFNGLDRAWARRAYSPROC, DrawArrays)                                         \
     X(PFNGLDRAWARRAYSINSTANCEDPROC, DrawArraysInstanced)                       \
@@ -56,18 +53,13 @@
     X(PFNGLPIXELSTOREIPROC, PixelStorei)                                       \
     X(PFNGLREADPIXELSPROC, ReadPixels)                                         \
     X(PFNGLRENDERBUFFERSTORAGEMULTISAMPLEPROC, RenderbufferStorageMultisample) \
-    X(PFNGLSCISSORPROC, Scissor)                                               \
     X(PFNGLSHADERSOURCEPROC, ShaderSource)                                     \
-    X(PFNGLTEXBUFFERPROC, TexBuffer)                                           \
     X(PFNGLTEXIMAGE2DPROC, TexImage2D)                                         \
     X(PFNGLTEXPARAMETERIPROC, TexParameteri)                                   \
-    X(PFNGLTEXSUBIMAGE2DPROC, TexSubImage2D)                                   \
     X(PFNGLUNIFORM1FPROC, Uniform1f)                                           \
     X(PFNGLUNIFORM1IPROC, Uniform1i)                                           \
-    X(PFNGLUNIFORM1UIPROC, Uniform1ui)                                         \
     X(PFNGLUNIFORM2FPROC, Uniform2f)                                           \
     X(PFNGLUNIFORM2IPROC, Uniform2i)                                           \
-    X(PFNGLUNIFORM3FPROC, Uniform3f)                                           \
     X(PFNGLUNIFORM4FPROC, Uniform4f)                                           \
     X(PFNGLUSEPROGRAMPROC, UseProgram)                                         \
     X(PFNGLVERTEXATTRIBDIVISORPROC, VertexAttribDivisor)                       \

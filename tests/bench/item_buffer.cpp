@@ -1,26 +1,19 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 //
-// What does the item buffer cost: a whole ItemPainter::paint(), read-back and all, of triangles,
-// spheres, closed cylinders, solid geometry of few and many pieces, a floor with an image? And what
-// does it take to make the painter, shaders and all?
+// What does the item buffer cost: a whole paint_items() on one thread, of triangles, spheres,
+// closed cylinders, solid geometry of few and many pieces, a floor with an image?
 #include <benchmark/benchmark.h>
 
 #include <glm/gtc/packing.hpp>
 #include <random>
 
-#include "display/item_painter.h"
-#include "tests/display/item_scene.h"
+#include "core/detail/item_painter.h"
+#include "tests/core/detail/item_scene.h"
 
 namespace povpreview {
 namespace {
 
 using test::ItemScene;
-
-ItemPainter& painter() {
-    static const std::unique_ptr<GlContext> context = open_offscreen();
-    static ItemPainter instance(*context);
-    return instance;
-}
 
 ItemScene empty_scene(const benchmark::State& state) {
     const int width = static_cast<int>(state.range(0));
@@ -43,8 +36,9 @@ class Spread {
 
 void paint(benchmark::State& state, const ItemScene& made) {
     std::size_t seen = 0;
-    ItemBuffer buffer = painter().paint(made.scene);  // a driver may have to compile at first
-    for (auto _ : state) buffer = painter().paint(made.scene);
+    const std::atomic<bool> stop{false};
+    ItemBuffer buffer;
+    for (auto _ : state) buffer = paint_items(made.scene, stop);
     for (const std::uint32_t surface : buffer.surfaces) seen += surface != ItemBuffer::background;
     state.counters["covered %"] =
         100. * static_cast<double>(seen) / static_cast<double>(buffer.surfaces.size());
@@ -137,13 +131,6 @@ void typical(benchmark::State& state) {
     paint(state, made);
 }
 
-void making(benchmark::State& state) {
-    for (auto _ : state) {
-        const std::unique_ptr<GlContext> context = open_offscreen();
-        benchmark::DoNotOptimize(ItemPainter(*context));
-    }
-}
-
 constexpr auto in_sizes = [](std::vector<std::int64_t> counts) {
     return std::vector<std::vector<std::int64_t>>{{640, 1920}, std::move(counts)};
 };
@@ -157,7 +144,6 @@ BENCHMARK(typical)
     ->ArgsProduct(in_sizes({0, 1}))
     ->ArgNames({"", "image"})
     ->Unit(benchmark::kMillisecond);
-BENCHMARK(making)->Iterations(3)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace povpreview

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "tests/display/ray_caster.h"
+#include "tests/core/detail/ray_caster.h"
 
 #include <algorithm>
 #include <cmath>
@@ -56,21 +56,47 @@ std::vector<double> parabola_roots(const F& f, double around, double step) {
     return roots;
 }
 
-/// Where a ray meets a torus: by many small steps.
+/// Between a and b, where the signs of f differ.
+template <class F>
+double root_between(const F& f, double a, double b) {
+    const bool negative = f(a) < 0;
+    for (int halving = 0; halving < 60; ++halving)
+        ((f((a + b) / 2) < 0) == negative ? a : b) = (a + b) / 2;
+    return a;
+}
+
+/// Between a and b, where |f| is least, if there is but one such place.
+template <class F>
+double least_between(const F& f, double a, double b) {
+    for (int cut = 0; cut < 80; ++cut) {
+        const double low = a + (b - a) * .38, high = a + (b - a) * .62;
+        (std::fabs(f(low)) < std::fabs(f(high)) ? b : a) =
+            std::fabs(f(low)) < std::fabs(f(high)) ? high : low;
+    }
+    return (a + b) / 2;
+}
+
+/// Where a ray meets a torus: by many small steps, and where it may just graze it, a closer look.
 template <class F>
 std::vector<double> stepped_roots(const F& f, double from, double to) {
     constexpr int steps = 400;
-    std::vector<double> roots;
-    double before = f(from);
+    const auto at = [&](int i) { return from + (to - from) * i / steps; };
+    std::vector<double> values, roots;
+    for (int i = 0; i <= steps; ++i) values.push_back(f(at(i)));
     for (int i = 1; i <= steps; ++i) {
-        double a = from + (to - from) * (i - 1) / steps, b = from + (to - from) * i / steps;
-        const double now = f(b);
+        const double before = values[i - 1], now = values[i];
         if ((before < 0) != (now < 0)) {
-            for (int halving = 0; halving < 60; ++halving)
-                ((f((a + b) / 2) < 0) == (before < 0) ? a : b) = (a + b) / 2;
-            roots.push_back(a);
+            roots.push_back(root_between(f, at(i - 1), at(i)));
+            continue;
         }
-        before = now;
+        // The middle of three that is nearest to 0.
+        if (i == steps || (values[i + 1] < 0) != (now < 0) || std::fabs(before) < std::fabs(now) ||
+            std::fabs(values[i + 1]) < std::fabs(now))
+            continue;
+        const double least = least_between(f, at(i - 1), at(i + 1));
+        if ((f(least) < 0) == (now < 0)) continue;
+        roots.push_back(root_between(f, at(i - 1), least));
+        roots.push_back(root_between(f, least, at(i + 1)));
     }
     return roots;
 }
@@ -172,7 +198,9 @@ void RayCaster::cast_objects(const Ray& ray, Found& found) const {
             const double middle = -glm::dot(e, d) / glm::dot(d, d), step = 1 / glm::length(d);
             const double wide = step * (1 + glm::length(e + middle * d));
             const double reach = (1.1 + solid.coefficients[0]) * step;
-            const std::vector<double> roots = solid.kind == Solid::Kind::torus
+            const bool is_torus = solid.kind == Solid::Kind::torus;
+            if (is_torus && glm::length(e + middle * d) > 1 + solid.coefficients[0]) continue;
+            const std::vector<double> roots = is_torus
                                                   ? stepped_roots(f, middle - reach, middle + reach)
                                                   : parabola_roots(f, middle, wide);
             for (const double t : roots)
@@ -205,6 +233,7 @@ RayCaster::Hit RayCaster::cast(double px, double py) const {
     cast_faces(ray, found);
     cast_objects(ray, found);
     cast_unknown(ray, found);
+    if (found.hit.surface == ItemBuffer::background) found.hit.kind = Look::Kind::plain;
     if (found.material >= scene_.looks.size()) return found.hit;
     const Look& look = scene_.looks[found.material];
     found.hit.kind = look.kind;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "tests/display/item_scene.h"
+#include "tests/core/detail/item_scene.h"
 
 #include <cmath>
 

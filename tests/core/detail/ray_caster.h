@@ -20,7 +20,7 @@ struct CameraPose {
 CameraPose look_at(const glm::dvec3& from, const glm::dvec3& at, double width_by_distance = 4. / 3);
 
 /// The item buffer by tracing rays in double precision, by the definitions in drawable_scene.h and
-/// those of POV-Ray's image maps alone: what ItemPainter has to come to.
+/// those of POV-Ray's image maps alone: what paint_items() has to come to.
 class RayCaster {
    public:
     RayCaster(const DrawableScene& scene, const CameraPose& pose) : scene_(scene), pose_(pose) {}

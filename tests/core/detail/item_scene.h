@@ -4,7 +4,7 @@
 #include <limits>
 #include <vector>
 
-#include "tests/display/ray_caster.h"
+#include "tests/core/detail/ray_caster.h"
 
 namespace povpreview::test {
 
