@@ -10,6 +10,9 @@ struct CostPlan {
     /// Trace outlines and keep them as constraints. Each probe waits for the one before it, so a
     /// scene that is complete in a moment is complete before its outlines are known.
     bool outlines;
+    /// Have edges found that can be known without tracing, and keep them as constraints, though the
+    /// borders of all items are known: what is left are shadows and reflections.
+    bool edges;
     /// Vertices at most, as a share of the pixels; then the rest is filled.
     double vertex_budget;
 };
@@ -18,8 +21,7 @@ struct CostPlan {
 /// is not known. The answer changes in few steps, so that two runs seldom differ.
 CostPlan plan_by_cost(double sample_ns, std::size_t pixels);
 
-/// What an albedo ray costs against a full sample that becomes a vertex, our own work included; 1
-/// where either is not known (0).
+/// What an albedo ray costs against a full sample; 1 where either is not known (0).
 double albedo_price(double albedo_ns, double full_ns);
 
 }  // namespace povpreview

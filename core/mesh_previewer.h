@@ -64,7 +64,9 @@ class MeshPreviewer : public Previewer {
     Parts parts() const override;
     std::optional<Request> next() override;
     void accept(const Sample& sample) override;
-    bool wants_edges() const override { return options_.constraints && refining_; }
+    bool wants_edges() const override {
+        return options_.constraints && refining_ && (plan_.edges || !detail_);
+    }
     void accept_edges(std::vector<EdgeChain>&& chains) override;
     bool wants_items() const override { return options_.detail && refining_; }
     void accept_items(const ItemBuffer& items) override;
@@ -110,6 +112,8 @@ class MeshPreviewer : public Previewer {
     std::uint32_t surface_beside(VertexId a, VertexId b, bool left) const;
 
     // Chains of constraints (mesh_chains.cpp).
+    bool is_superfluous(const EdgeChain& chain) const;
+    bool items_known_along(glm::dvec2 from, glm::dvec2 to) const;
     void insert_chains();
     ChainInsertion begin_insertion();
     void finish_insertion(ChainInsertion& insertion);
@@ -172,7 +176,7 @@ class MeshPreviewer : public Previewer {
     std::size_t outline_rays_ = 0;           // spent on outlines
     std::size_t waiting_since_ = 0;          // full rays when the next round's first edge was taken
     std::vector<std::uint32_t> grid_costs_;  // of the first samples, nanoseconds
-    CostPlan plan_{false, plan_by_cost(0, 0).vertex_budget};  // until they are known
+    CostPlan plan_{false, true, plan_by_cost(0, 0).vertex_budget};  // until they are known
     bool refining_ = true;
     VertexId recent_{0};  // a live vertex
 };

@@ -44,7 +44,8 @@ class Previewer {
     /// Whether it has a use for discontinuity edges known without tracing, or still has; else none
     /// need be found.
     virtual bool wants_edges() const { return false; }
-    /// Such edges, heaviest first. May come at any time and more than once.
+    /// Such edges, heaviest first. May come at any time and more than once, best after the items:
+    /// those make some edges superfluous.
     virtual void accept_edges(std::vector<EdgeChain>&&) {}
     /// Whether it has a use for what is seen in each pixel, known without tracing, or still has.
     virtual bool wants_items() const { return false; }

@@ -27,7 +27,7 @@ class StrategyRun {
     /// Session::advance, with what has become known without tracing since.
     bool advance(std::chrono::nanoseconds patience) {
         if (wants_items_) take_items();
-        if (wants_edges_) take_edges();
+        if (wants_edges_ && !wants_items_) take_edges();
         return session_.advance(patience);
     }
     const Previewer& previewer() const { return *previewer_; }

@@ -93,7 +93,8 @@ ImageFrame TracedScene::frame() const {
     return {description_.width, description_.height, description_.camera.blur_samples == 0};
 }
 
-/// Both searches begin with the scene as it can be drawn; it is made once, in a thread of its own.
+/// Both searches begin with the scene as it can be drawn; that is made once, in a thread of its
+/// own.
 void TracedScene::take_geometry() {
     if (drawable_.valid() || !(edge_finding_ || wants_items_)) return;
     std::optional<Geometry> geometry = oracle_.take_geometry();
@@ -106,13 +107,6 @@ void TracedScene::take_geometry() {
         return std::make_shared<const DrawableScene>(std::move(*scene));
     };
     drawable_ = std::async(std::launch::async, make).share();
-    if (edge_finding_)
-        edge_search_.emplace(
-            [scene = drawable_]() -> std::optional<PolygonScene> {
-                if (!scene.get()) return std::nullopt;
-                return scene.get()->polygons;
-            },
-            *edge_finding_);
 }
 
 /// The item buffer waits for the images on its surfaces, which come after all else.
@@ -134,7 +128,14 @@ void TracedScene::paint_items() {
 
 const std::vector<EdgeChain>& TracedScene::edges() {
     take_geometry();
-    if (!edge_search_) return edges_;
+    if (!edge_finding_ || !drawable_.valid()) return edges_;
+    if (!edge_search_)
+        edge_search_.emplace(
+            [scene = drawable_]() -> std::optional<PolygonScene> {
+                if (!scene.get()) return std::nullopt;
+                return scene.get()->polygons;
+            },
+            *edge_finding_);
     std::vector<EdgeChain> chains = edge_search_->take();
     edges_.insert(edges_.end(), std::make_move_iterator(chains.begin()),
                   std::make_move_iterator(chains.end()));
