@@ -54,10 +54,12 @@ void AlbedoFetch::full_asked() {
 }
 
 std::optional<Pixel> AlbedoFetch::next(const DetailMap* detail) {
-    if (auto pixel = next_wanted(detail)) return pixel;
-    if (credit_ < 1 || !detail) return std::nullopt;
-    const auto pixel = next_of_whole(*detail);
-    if (pixel) credit_ -= 1;
+    auto pixel = next_wanted(detail);
+    if (!pixel && credit_ >= 1 && detail) {
+        pixel = next_of_whole(*detail);
+        if (pixel) credit_ -= 1;
+    }
+    if (pixel) fetched_[*pixel] = true;
     return pixel;
 }
 
@@ -65,7 +67,7 @@ std::optional<Pixel> AlbedoFetch::next_wanted(const DetailMap* detail) {
     while (!wanted_.empty()) {
         while (scanned_ < BfSquares::side * BfSquares::side) {
             const auto pixel = squares_.pixel_in(wanted_.front(), scanned_++);
-            if (pixel && (!detail || detail->wants_albedo(*pixel))) return pixel;
+            if (pixel && is_open(*pixel, detail)) return pixel;
         }
         wanted_.pop_front();
         scanned_ = 0;
@@ -79,7 +81,7 @@ std::optional<Pixel> AlbedoFetch::next_of_whole(const DetailMap& detail) {
             const Pixel pixel = rest_.back();
             rest_.pop_back();
             const std::size_t square = squares_.square_of(pixel);
-            if (detail.wants_albedo(pixel) && !asked_[square] && !squares_.filling(square))
+            if (is_open(pixel, &detail) && !asked_[square] && !squares_.filling(square))
                 return pixel;
         }
         if (whole_.empty()) return std::nullopt;
@@ -98,7 +100,7 @@ void AlbedoFetch::begin_whole(const DetailMap& detail) {
     current_ = *most;
     whole_.erase(most);
     for (Pixel pixel = 0; pixel < squares_.pixels(); ++pixel)
-        if (detail.item(pixel) == current_ && detail.wants_albedo(pixel)) rest_.push_back(pixel);
+        if (detail.item(pixel) == current_ && is_open(pixel, &detail)) rest_.push_back(pixel);
     std::stable_sort(rest_.begin(), rest_.end(), [&](Pixel a, Pixel b) {
         return squares_.square_of(a) > squares_.square_of(b);
     });

@@ -19,7 +19,8 @@ namespace povpreview {
 /// samples over its projection passes a threshold); one that is hardly lit never tells anything.
 class AlbedoFetch {
    public:
-    explicit AlbedoFetch(const BfSquares& squares) : squares_(squares), asked_(squares.squares()) {}
+    explicit AlbedoFetch(const BfSquares& squares)
+        : squares_(squares), asked_(squares.squares()), fetched_(squares.pixels()) {}
 
     /// What an albedo ray costs against a full sample; until it is known none is worth it.
     void set_price(double price) { price_ = price; }
@@ -32,7 +33,8 @@ class AlbedoFetch {
     /// A full sample was asked for: the surfaces fetched as a whole earn their share.
     void full_asked();
 
-    /// The pixel to fetch next, if any; `detail`, what is known so far, may be null.
+    /// The pixel to fetch next, if any, none of them twice; `detail`, what is known so far, may be
+    /// null.
     std::optional<Pixel> next(const DetailMap* detail);
     /// Forgets all that is wanted.
     void clear();
@@ -46,11 +48,15 @@ class AlbedoFetch {
     std::optional<Pixel> next_wanted(const DetailMap* detail);
     std::optional<Pixel> next_of_whole(const DetailMap& detail);
     void begin_whole(const DetailMap& detail);
+    bool is_open(Pixel pixel, const DetailMap* detail) const {
+        return !fetched_[pixel] && (!detail || detail->wants_albedo(pixel));
+    }
 
     const BfSquares& squares_;
     double price_ = 1e9;
     double credit_ = 0;  ///< albedo rays that the surfaces fetched as a whole may have now
     std::vector<std::uint8_t> asked_;   // by square
+    std::vector<bool> fetched_;         // by pixel: asked for, answered or not
     std::deque<std::size_t> wanted_;    // squares
     int scanned_ = 0;                   // pixels of the first of them that need no request
     std::vector<Item> items_;           // by item

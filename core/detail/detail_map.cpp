@@ -32,6 +32,11 @@ void DetailMap::set_albedo(Pixel pixel, const glm::vec3& albedo) {
     albedos_[pixel] = albedo;
 }
 
+void DetailMap::forget_albedo(Pixel pixel) {
+    albedos_known_ -= states_[pixel] == Albedo::known;
+    states_[pixel] = Albedo::unreliable;
+}
+
 void DetailMap::accept(const ItemBuffer& drawn, ItemNumbers& numbers) {
     assert(drawn.width == width_ && drawn.height == height_);
     // Neighbours mostly show the same surface.
@@ -63,7 +68,7 @@ void DetailMap::accept_albedo(Pixel pixel, const Sample& sample, ItemNumbers& nu
     if (usable)
         set_albedo(pixel, sample.albedo);
     else
-        states_[pixel] = Albedo::unreliable;
+        forget_albedo(pixel);
 }
 
 void DetailMap::distrust(Pixel pixel) {
@@ -81,8 +86,7 @@ void DetailMap::forget_square(Pixel pixel) {
             if (told_[p]) continue;
             told_[p] = true;
             set_item(p, unknown);
-            albedos_known_ -= states_[p] == Albedo::known;
-            states_[p] = Albedo::unreliable;
+            forget_albedo(p);
         }
 }
 

@@ -80,6 +80,7 @@ class DetailMap {
     void forget_square(Pixel pixel);
     void set_item(Pixel pixel, std::uint32_t item);
     void set_albedo(Pixel pixel, const glm::vec3& albedo);
+    void forget_albedo(Pixel pixel);
 
     int width_, height_;
     std::vector<std::uint32_t> items_;

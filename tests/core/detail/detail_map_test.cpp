@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "core/detail/detail_map.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <random>
+#include <set>
+
+namespace povpreview::test {
+namespace {
+
+using Albedo = DetailMap::Albedo;
+constexpr int width = 20, height = 11;
+constexpr Pixel pixels = width * height;
+
+Sample albedo_ray(std::uint32_t surface, glm::vec3 albedo) {
+    Sample sample;
+    sample.kind = RayKind::albedo;
+    sample.surface = surface;
+    sample.albedo = albedo;
+    return sample;
+}
+
+constexpr Look::Kind kinds[] = {Look::Kind::plain, Look::Kind::image, Look::Kind::traced,
+                                Look::Kind::mixed};
+
+/// Columns of surfaces 10, 20, 30, 40 of several kinds of look, then unknown ones, five wide each
+/// but for the last two.
+ItemBuffer columns() {
+    ItemBuffer buffer{width, height, {}, {}, {}};
+    for (Pixel p = 0; p < pixels; ++p) {
+        const Pixel x = p % width;
+        buffer.surfaces.push_back(x < 18 ? 10 * (1 + x / 5) : ItemBuffer::unknown);
+        buffer.kinds.push_back(x < 18 ? kinds[x / 5] : Look::Kind::mixed);
+        buffer.albedos.push_back(glm::vec3(float(p) / pixels, .5f, 2));
+    }
+    return buffer;
+}
+
+TEST(ItemNumbers, AreGivenInTheOrderOfMeeting) {
+    ItemNumbers numbers;
+    EXPECT_EQ(numbers.of(77), 0u);
+    EXPECT_EQ(numbers.of(0xfffffffe), 1u);
+    EXPECT_EQ(numbers.of(0), 2u);
+    EXPECT_EQ(numbers.of(77), 0u);
+    EXPECT_EQ(numbers.size(), 3u);
+}
+
+TEST(DetailMap, KnowsNothingAtFirst) {
+    const DetailMap map(width, height);
+    for (Pixel p = 0; p < pixels; ++p) {
+        EXPECT_EQ(map.item(p), DetailMap::unknown);
+        EXPECT_TRUE(map.wants_albedo(p));
+        EXPECT_FALSE(map.contradicts(p, 3));
+    }
+    EXPECT_EQ(map.known() + map.albedos() + map.contradicted(), 0u);
+    EXPECT_TRUE(map.albedo_pixels().empty());
+}
+
+TEST(DetailMap, PositionsAreClampedToTheImage) {
+    const DetailMap map(width, height);
+    EXPECT_EQ(map.pixel_at({0, 0}), 0u);
+    EXPECT_EQ(map.pixel_at({-3, 4.9}), 4u * width);
+    EXPECT_EQ(map.pixel_at({width, height}), pixels - 1);
+    EXPECT_EQ(map.pixel_at({7.999, 2}), 2u * width + 7);
+}
+
+TEST(DetailMap, TakesWhatWasDrawn) {
+    DetailMap map(width, height);
+    ItemNumbers numbers;
+    const ItemBuffer drawn = columns();
+    map.accept(drawn, numbers);
+    EXPECT_EQ(numbers.size(), 4u);
+    EXPECT_EQ(map.known(), 18u * height);
+    EXPECT_EQ(map.albedos(), 5u * height);
+    for (Pixel p = 0; p < pixels; ++p) {
+        const Pixel x = p % width;
+        EXPECT_EQ(map.item(p), x < 18 ? x / 5 : DetailMap::unknown);
+        const Albedo expected[] = {Albedo::constant, Albedo::known, Albedo::wanted, Albedo::wanted};
+        EXPECT_EQ(map.albedo_state(p), x < 18 ? expected[x / 5] : Albedo::wanted);
+        if (x / 5 == 1) {
+            EXPECT_EQ(map.albedo(p), drawn.albedos[p]);
+        }
+        EXPECT_EQ(map.contradicts(p, 2), x < 18 && x / 5 != 2);
+    }
+}
+
+TEST(DetailMap, RaysAreRightWhicheverCameFirst) {
+    for (const bool ray_first : {false, true}) {
+        DetailMap map(width, height);
+        ItemNumbers numbers;
+        const Pixel p = 3 * width + 2, q = p + 1, r = p + 4;
+        const auto rays = [&] {
+            map.accept_albedo(p, albedo_ray(99, {1, 2, 3}), numbers);
+            map.accept_albedo(q, albedo_ray(0, {0, 0, 0}), numbers);
+            Sample failed;
+            failed.failed = true;
+            map.accept_albedo(r, failed, numbers);
+        };
+        if (ray_first) rays();
+        map.accept(columns(), numbers);
+        if (!ray_first) rays();
+        EXPECT_EQ(map.item(p), numbers.of(99));
+        EXPECT_EQ(map.albedo(p), glm::vec3(1, 2, 3));
+        EXPECT_EQ(map.item(q), numbers.of(0)) << "the background is an item as well";
+        EXPECT_EQ(map.albedo_state(q), Albedo::known);
+        EXPECT_EQ(map.item(r), DetailMap::unknown);
+        EXPECT_EQ(map.albedo_state(r), Albedo::unreliable);
+        EXPECT_FALSE(map.wants_albedo(r));
+        EXPECT_EQ(map.known(), 18u * height - 1);
+        EXPECT_EQ(map.albedos(), 5u * height + 2);
+    }
+}
+
+TEST(DetailMap, AlbedosThatAreNoNumbersAreNotBelieved) {
+    for (const float bad :
+         {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
+        DetailMap map(width, height);
+        ItemNumbers numbers;
+        map.accept_albedo(7, albedo_ray(5, {.5f, bad, 1}), numbers);
+        EXPECT_EQ(map.albedo_state(7), Albedo::unreliable);
+        EXPECT_EQ(map.known() + map.albedos(), 0u);
+    }
+}
+
+TEST(DetailMap, ContradictionsCostTheWholeSquareButWhatRaysTold) {
+    DetailMap map(width, height);
+    ItemNumbers numbers;
+    map.accept(columns(), numbers);
+    const Pixel told = 9 * width + 9, at = 10 * width + 8;  // in the square at (8, 8)
+    map.accept_albedo(told, albedo_ray(99, {1, 2, 3}), numbers);
+    ASSERT_TRUE(map.contradicts(at, numbers.of(12345)));
+    map.distrust(at);
+    EXPECT_EQ(map.contradicted(), 1u);
+    std::size_t known = 0, albedos = 0;
+    for (Pixel p = 0; p < pixels; ++p) {
+        const bool inside = p % width / 8 == 1 && p / width / 8 == 1;
+        if (inside && p != told) {
+            EXPECT_EQ(map.item(p), DetailMap::unknown);
+            EXPECT_EQ(map.albedo_state(p), Albedo::unreliable);
+            EXPECT_FALSE(map.contradicts(p, 0)) << "it is not counted again";
+        } else {
+            EXPECT_EQ(map.item(p) != DetailMap::unknown, p % width < 18);
+        }
+        known += map.item(p) != DetailMap::unknown;
+        albedos += map.albedo_state(p) == Albedo::known;
+    }
+    EXPECT_EQ(map.albedo(told), glm::vec3(1, 2, 3));
+    EXPECT_EQ(map.known(), known);
+    EXPECT_EQ(map.albedos(), albedos);
+    map.accept(columns(), numbers);
+    EXPECT_EQ(map.item(at), DetailMap::unknown) << "what was drawn is not believed there again";
+}
+
+TEST(DetailMap, DistrustTwiceIsDistrustOnceButForTheCount) {
+    DetailMap map(width, height);
+    ItemNumbers numbers;
+    map.accept(columns(), numbers);
+    map.distrust(pixels - 1);  // a square of 4 x 3 pixels
+    const std::size_t known = map.known();
+    EXPECT_EQ(known, 18u * height - 2 * 3);
+    map.distrust(pixels - 1);
+    EXPECT_EQ(map.known(), known);
+    EXPECT_EQ(map.contradicted(), 2u);
+}
+
+TEST(DetailMap, ExtentsCountPixelsAndLieInside) {
+    std::mt19937 random(4);
+    DetailMap map(width, height);
+    ItemNumbers numbers;
+    ItemBuffer drawn = columns();
+    for (Pixel p = 0; p < pixels; ++p)
+        if (random() % 3 == 0) drawn.surfaces[p] = random() % 7 + 1;
+    map.accept(drawn, numbers);
+    numbers.of(4711);  // met by a sample, but seen in no pixel
+    const auto extents = map.extents(numbers);
+    ASSERT_EQ(extents.size(), numbers.size());
+    std::vector<std::uint32_t> counts(extents.size());
+    for (Pixel p = 0; p < pixels; ++p)
+        if (map.item(p) != DetailMap::unknown) ++counts[map.item(p)];
+    for (std::uint32_t item = 0; item < extents.size(); ++item) {
+        EXPECT_EQ(extents[item].pixels, counts[item]);
+        if (counts[item] > 0) {
+            EXPECT_EQ(map.item(extents[item].middle), item);
+        }
+    }
+    EXPECT_EQ(extents.back().pixels, 0u);
+}
+
+TEST(DetailMap, TheMiddleOfAnExtentIsThatOfItsLongestRun) {
+    DetailMap map(width, height);
+    ItemNumbers numbers;
+    ItemBuffer drawn{width,
+                     height,
+                     std::vector<std::uint32_t>(pixels, 1),
+                     std::vector<Look::Kind>(pixels, Look::Kind::plain),
+                     {}};
+    for (Pixel x = 4; x < 9; ++x) drawn.surfaces[2 * width + x] = 2;
+    for (Pixel x = 13; x < 20; ++x) drawn.surfaces[5 * width + x] = 2;
+    for (Pixel x = 0; x < 6; ++x) drawn.surfaces[6 * width + x] = 2;  // another run, not a longer
+    map.accept(drawn, numbers);
+    const auto extents = map.extents(numbers);
+    EXPECT_EQ(extents[1].middle, 5u * width + 16);
+    EXPECT_EQ(extents[1].pixels, 5u + 7 + 6);
+    EXPECT_EQ(extents[0].middle, 0u * width + 10);
+}
+
+}  // namespace
+}  // namespace povpreview::test
