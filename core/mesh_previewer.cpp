@@ -195,7 +195,11 @@ std::optional<Request> MeshPreviewer::refine(const RefinementHeap::Entry& entry)
     Pixel pixel = squares_.pixel_at((t.position(a) + t.position(b)) / 2.);
     if (detail_)
         if (const auto stray = mesh_.stray_pixel(a, b))
-            if (squares_.state(*stray) == BfSquares::State::unsampled) pixel = *stray;
+            if (squares_.state(*stray) == BfSquares::State::unsampled && *stray != pixel) {
+                pixel = *stray;
+                // The edge may outlive a vertex beside it; its turn comes again after its halves.
+                heap_.push(a, b, *now / 4);
+            }
     return request({Pending::Use::vertex, pixel, a});
 }
 

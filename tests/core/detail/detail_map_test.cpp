@@ -109,7 +109,7 @@ TEST(DetailMap, RaysAreRightWhicheverCameFirst) {
         EXPECT_EQ(map.albedo_state(r), Albedo::unreliable);
         EXPECT_FALSE(map.wants_albedo(r));
         EXPECT_EQ(map.known(), 18u * height - 1);
-        EXPECT_EQ(map.albedos(), 5u * height + 2);
+        EXPECT_EQ(map.albedos(), 5u * height - 1 + 2);
     }
 }
 
