@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <span>
 #include <type_traits>
@@ -144,6 +145,22 @@ void read_objects(const wire::Geometry& from, Geometry& part) {
 
 // ---- looks
 
+/// Throws unless all its numbers are finite.
+PatternLook pattern(const wire::Pattern& from, const wire::Frame& to_pattern) {
+    PatternLook to;
+    to.kind = enumerator<PatternLook::Kind>(from.kind(), wire::PatternKind::MAX, "pattern");
+    to.colours = {vec3(from.first()), vec3(from.second()), vec3(from.third())};
+    to.brick_size = vec3(from.brick_size());
+    to.mortar = from.mortar();
+    to.to_pattern = frame(to_pattern);
+    glm::dvec3 sum = to.brick_size + to.mortar;
+    for (const glm::vec3& colour : to.colours) sum += glm::dvec3(colour);
+    for (glm::length_t i = 0; i < 4; ++i) sum += to.to_pattern[i];
+    if (!std::isfinite(sum.x) || !std::isfinite(sum.y) || !std::isfinite(sum.z))
+        throw WireFault("a pattern whose numbers are not finite");
+    return to;
+}
+
 void read_looks(const wire::Geometry& from, Geometry& part) {
     for (const wire::Look& l : copied(from.looks())) {
         Look to;
@@ -154,7 +171,10 @@ void read_looks(const wire::Geometry& from, Geometry& part) {
         to.image.interpolation = enumerator<ImageLook::Interpolation>(
             l.interpolation(), wire::Interpolation::MAX, "interpolation");
         to.image.once = l.once();
-        to.image.to_map = frame(l.to_map());
+        if (to.kind == Look::Kind::pattern)
+            to.pattern = pattern(l.pattern(), l.to_map());
+        else
+            to.image.to_map = frame(l.to_map());
         part.looks.push_back({l.material(), to});
     }
     for (const wire::ImageSize& i : copied(from.images())) {

@@ -9,7 +9,6 @@
 // clang-format off
 #include "backend/frame.h"
 #include "backend/pattern/pattern.h"
-#include "backend/pattern/warps.h"
 #include "backend/scene/objects.h"
 #include "backend/support/imageutil.h"
 #include "backend/texture/pigment.h"
@@ -17,6 +16,7 @@
 #include "base/image/image.h"
 // clang-format on
 
+#include "backend/oracle/drawable_patterns.h"
 #include "backend/oracle/half_float.h"
 #include "backend/oracle/surface_looks.h"
 #include "backend/oracle/texture_parts.h"
@@ -89,26 +89,6 @@ bool is_one_colour(const pov::TEXTURE& top) {
     return true;
 }
 
-/// From where a pattern is evaluated to where its image lies; nothing if that is more than an
-/// affine map.
-std::optional<LocalFrame> map_of(const pov::TPATTERN& pattern) {
-    LocalFrame map;
-    for (std::size_t i = 0; i < 3; ++i) map.row[i][i] = 1;
-    for (const pov::WARP* warp = pattern.Warps; warp != nullptr; warp = warp->Next_Warp) {
-        if (warp->Warp_Type == NO_WARP) continue;
-        if (warp->Warp_Type != TRANSFORM_WARP) return std::nullopt;
-        const auto& m = static_cast<const pov::TRANS*>(warp)->Trans.inverse;
-        LocalFrame next;
-        for (std::size_t i = 0; i < 3; ++i)
-            for (std::size_t j = 0; j < 4; ++j) {
-                next.row[i][j] = j == 3 ? m[3][i] : 0;
-                for (std::size_t k = 0; k < 3; ++k) next.row[i][j] += m[k][i] * map.row[k][j];
-            }
-        map = next;
-    }
-    return map;
-}
-
 /// An image's `Gradient` says which axis is along its rows (above 0) and which along its columns
 /// (below); of several the last counts.
 LocalFrame turned_to_image(const LocalFrame& map, const pov::ImageData& image) {
@@ -143,7 +123,14 @@ LookFacts DrawableLooks::look_of_layers(const pov::TEXTURE& top, const pov::Obje
         !colours_more_than_albedo(*top.Finish) && draws_image(*top.Pigment, object, look))
         return look;
     Surroundings around;
-    look.kind = only_pigments_vary(&top, around) ? LookKind::traced : LookKind::mixed;
+    if (!only_pigments_vary(&top, around)) return look;
+    look.kind = LookKind::traced;
+    if (Test_Flag(&object, UV_FLAG)) return look;
+    if (const auto drawable = pattern_of(top, linear_)) {
+        look.kind = LookKind::pattern;
+        look.pattern = drawable->pattern;
+        look.to_map = drawable->to_pattern;
+    }
     return look;
 }
 

@@ -10,6 +10,7 @@
 // clang-format on
 
 #include "backend/oracle/geometry_facts.h"
+#include "backend/oracle/linear_light.h"
 
 namespace pov {
 class ImageData;
@@ -24,6 +25,8 @@ class DrawableLooks {
     /// Texels of all images together; what would exceed it is left to be traced.
     static constexpr std::size_t max_texels = 8000000;
 
+    explicit DrawableLooks(const LinearLight& linear) : linear_(linear) {}
+
     /// The look of a surface with these textures; what its number is, the caller says.
     LookFacts look(const pov::ObjectBase& object, const std::vector<const pov::TEXTURE*>& textures);
 
@@ -37,6 +40,7 @@ class DrawableLooks {
     bool draws_image(const pov::PIGMENT& pigment, const pov::ObjectBase& object, LookFacts& look);
     bool add_image(const pov::ImageData& image, std::uint32_t& number);
 
+    LinearLight linear_;
     std::vector<const pov::ImageData*> images_;
     /// By what POV-Ray read; nothing if it is too large.
     std::map<const void*, std::pair<bool, std::uint32_t>> number_of_;

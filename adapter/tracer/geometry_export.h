@@ -20,6 +20,7 @@ class GeometryExport {
 
     struct Surroundings {
         const SurfaceIndex& surfaces;
+        const LinearLight& linear;
         Point eye;
         CompoundFaces::Inside inside;
         std::function<void()> pause;  ///< called between objects; may throw to end it all
@@ -27,7 +28,7 @@ class GeometryExport {
     };
 
     explicit GeometryExport(Surroundings surroundings)
-        : around_(std::move(surroundings)), writer_(around_.send) {}
+        : around_(std::move(surroundings)), writer_(around_.send), looks_(around_.linear) {}
 
     void run(const std::vector<pov::ObjectPtr>& objects);
     /// Of the looks that were sent, by number; whose texels are to follow.

@@ -50,7 +50,14 @@ struct CurvedFacts {
     std::uint32_t pieces = 0;
 };
 
-enum class LookKind : std::uint8_t { plain, image, traced, mixed };
+/// As wire::Pattern.
+struct PatternFacts {
+    std::uint8_t kind = 0;
+    std::array<std::array<float, 3>, 3> colours{};
+    Point brick_size;
+    double mortar = 0;
+};
+enum class LookKind : std::uint8_t { plain, image, pattern, traced, mixed };
 /// As wire::Look.
 struct LookFacts {
     std::uint32_t material = 0, image = 0;
@@ -58,6 +65,7 @@ struct LookFacts {
     std::uint8_t mapping = 0, interpolation = 0;  ///< as wire::Mapping and wire::Interpolation
     bool once = false;
     LocalFrame to_map;
+    PatternFacts pattern;
 };
 /// An object without polygons.
 struct LeftOutFacts {

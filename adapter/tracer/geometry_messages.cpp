@@ -41,8 +41,20 @@ wire::Piece piece(const PieceFacts& from) {
 }
 wire::Box box(const BoxFacts& from) { return {vec3d(from.low), vec3d(from.high)}; }
 wire::CurvedObject object(const CurvedFacts& from) { return {box(from.bounds), from.pieces}; }
+wire::Pattern pattern(const PatternFacts& from) {
+    const auto colour = [&from](std::size_t i) {
+        return wire::Vec3f(from.colours[i][0], from.colours[i][1], from.colours[i][2]);
+    };
+    return {vec3d(from.brick_size),
+            from.mortar,
+            colour(0),
+            colour(1),
+            colour(2),
+            static_cast<wire::PatternKind>(from.kind)};
+}
 wire::Look look(const LookFacts& from) {
     return {columns(from.to_map),
+            pattern(from.pattern),
             from.material,
             from.image,
             static_cast<wire::LookKind>(from.kind),

@@ -29,6 +29,7 @@ void GeometryTask::Run() {
         return pov::Inside_Object(point, const_cast<pov::ObjectPtr>(&object), GetViewDataPtr());
     };
     GeometryExport geometry({shared_->surfaces,
+                             shared_->linear,
                              {camera.Location[0], camera.Location[1], camera.Location[2]},
                              inside,
                              [this] { Cooperate(); },

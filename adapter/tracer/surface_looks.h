@@ -35,6 +35,8 @@ bool is_mesh(const pov::ObjectBase& object);
 
 class SurfaceLooks {
    public:
+    explicit SurfaceLooks(const LinearLight& linear) : drawable_(linear) {}
+
     /// `triangle` (may be null) has textures of its own.
     Look of(const pov::ObjectBase& object, const pov::Mesh_Triangle_Struct* triangle);
     /// What can be drawn of the materials that came up since this was last asked.

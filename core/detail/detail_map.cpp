@@ -51,6 +51,7 @@ void DetailMap::accept(const ItemBuffer& drawn, ItemNumbers& numbers) {
                 states_[pixel] = Albedo::constant;
                 break;
             case Look::Kind::image:
+            case Look::Kind::pattern:
                 set_albedo(pixel, drawn.albedos[pixel]);
                 break;
             case Look::Kind::traced:

@@ -76,16 +76,31 @@ struct ImageLook {
     glm::dmat4x3 to_map{1};
 };
 
+/// A list of colours laid out in space. A point of the world goes by `to_pattern` into the
+/// pattern's own space, where checkers are cubes of size 1, POV-Ray's bricks have `brick_size` with
+/// mortar between them that is part of it, and hexagons lie in the plane of x and z, their sides of
+/// length 1.
+struct PatternLook {
+    enum class Kind : std::uint8_t { checker, brick, hexagon };
+    Kind kind = Kind::checker;
+    std::array<glm::vec3, 3> colours{};  ///< linear; of bricks the mortar's first, then theirs
+    glm::dvec3 brick_size{8, 3, 4.5};
+    double mortar = .5;
+    glm::dmat4x3 to_pattern{1};
+};
+
 /// What is known of a material's albedo beforehand.
 struct Look {
     enum class Kind : std::uint8_t {
-        plain,   ///< one colour all over
-        image,   ///< an image map that can be drawn
-        traced,  ///< varies, and only the ray tracer can say how
-        mixed    ///< not by its albedo alone: finishes or transparency vary, layers over glass
+        plain,    ///< one colour all over
+        image,    ///< an image map that can be drawn
+        pattern,  ///< a pattern of colours that can be drawn
+        traced,   ///< varies, and only the ray tracer can say how
+        mixed     ///< not by its albedo alone: finishes or transparency vary, layers over glass
     };
     Kind kind = Kind::mixed;
-    ImageLook image;  ///< Kind::image
+    ImageLook image;        ///< Kind::image
+    PatternLook pattern{};  ///< Kind::pattern
 };
 
 /// An image as the ray tracer holds it: in the scene's working gamma, row by row from the top.

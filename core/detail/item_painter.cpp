@@ -7,6 +7,7 @@
 #include "core/detail/curved_items.h"
 #include "core/detail/face_items.h"
 #include "core/detail/image_look.h"
+#include "core/detail/pattern_look.h"
 
 namespace povpreview {
 
@@ -61,17 +62,34 @@ class Reading {
         if (number >= scene_.looks.size()) return;
         const Look& look = scene_.looks[number];
         result_.kinds[pixel] = look.kind;
-        if (look.kind == Look::Kind::image) look_up(look.image, x, y, pixel, source);
+        const glm::dvec2 centre(x + .5, y + .5);
+        const double depth = rays_.depth(canvas_.nearness(pixel));
+        if (look.kind == Look::Kind::image)
+            set_albedo(pixel, albedo_of(look.image, rays_.point(centre, depth), source));
+        if (look.kind == Look::Kind::pattern)
+            set_albedo(pixel, albedo_of(look.pattern, centre, depth));
     }
 
-    void look_up(const ImageLook& look, int x, int y, std::size_t pixel, Source source) {
-        const glm::dvec3 point =
-            rays_.point({x + .5, y + .5}, rays_.depth(canvas_.nearness(pixel)));
+    std::optional<glm::vec3> albedo_of(const ImageLook& look, const glm::dvec3& point,
+                                       Source source) const {
         const bool by_uv = look.mapping == ImageLook::Mapping::uv;
-        const bool drawable = !by_uv || has_uv(source);
-        const auto albedo =
-            drawable ? image_albedo(scene_, look, point, by_uv ? uv(point, source) : glm::dvec2(0))
-                     : std::nullopt;
+        if (by_uv && !has_uv(source)) return std::nullopt;
+        return image_albedo(scene_, look, point, by_uv ? uv(point, source) : glm::dvec2(0));
+    }
+
+    /// Nothing where the surface lies in a border of the pattern, as well as depths are known: a
+    /// ray's rounding would decide there, all over the surface.
+    std::optional<glm::vec3> albedo_of(const PatternLook& look, const glm::dvec2& centre,
+                                       double depth) const {
+        constexpr double doubt = 1e-13;  // of the depth; some hundred roundings
+        const auto albedo = pattern_albedo(look, rays_.point(centre, depth));
+        for (const double factor : {1 - doubt, 1 + doubt})
+            if (pattern_albedo(look, rays_.point(centre, depth * factor)) != albedo)
+                return std::nullopt;
+        return albedo;
+    }
+
+    void set_albedo(std::size_t pixel, const std::optional<glm::vec3>& albedo) {
         if (!albedo) {
             result_.kinds[pixel] = Look::Kind::traced;
             return;

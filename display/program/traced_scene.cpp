@@ -187,9 +187,11 @@ std::optional<std::string> TracedScene::take_item_report() {
         share(std::count(items.surfaces.begin(), items.surfaces.end(), ItemBuffer::unknown));
     return fmt::format(
         "item buffer drawn in {:.3f} s; of the pixels {:.2f} % known: {:.2f} % of one colour, "
-        "{:.2f} % image maps, {:.2f} % textures to be traced, {:.2f} % not told by their albedo",
-        item_search_->seconds(), 100 - unknown, of(Look::Kind::plain), of(Look::Kind::image),
-        of(Look::Kind::traced), of(Look::Kind::mixed) - unknown);
+        "{:.2f} % image maps and patterns, {:.2f} % textures to be traced, {:.2f} % not told by "
+        "their albedo",
+        item_search_->seconds(), 100 - unknown, of(Look::Kind::plain),
+        of(Look::Kind::image) + of(Look::Kind::pattern), of(Look::Kind::traced),
+        of(Look::Kind::mixed) - unknown);
 }
 
 std::optional<std::string> TracedScene::take_edge_report() {

@@ -149,9 +149,16 @@ Bytes geometry_frame(const Geometry& geometry, bool last) {
     std::vector<wire::Box> unknown;
     for (const Bounds& bounds : geometry.unknown) unknown.push_back(box(bounds));
     std::vector<wire::Look> looks;
+    const auto colour = [](const glm::vec3& c) { return wire::Vec3f(c.r, c.g, c.b); };
+    const auto pattern_of = [&](const PatternLook& p) {
+        return wire::Pattern(v(p.brick_size), p.mortar, colour(p.colours[0]), colour(p.colours[1]),
+                             colour(p.colours[2]), static_cast<wire::PatternKind>(p.kind));
+    };
     for (const auto& [material, look] : geometry.looks)
         looks.emplace_back(
-            frame_of(look.image.to_map), material, look.image.image,
+            frame_of(look.kind == Look::Kind::pattern ? look.pattern.to_pattern
+                                                      : look.image.to_map),
+            pattern_of(look.pattern), material, look.image.image,
             static_cast<wire::LookKind>(look.kind), static_cast<wire::Mapping>(look.image.mapping),
             static_cast<wire::Interpolation>(look.image.interpolation), look.image.once);
     std::vector<wire::ImageSize> images;
@@ -190,7 +197,7 @@ std::vector<Texel> small_texels() {
 
 namespace {
 
-/// A cut torus and a quadric; something unknown; three looks.
+/// A cut torus and a quadric; something unknown; four looks.
 void add_curved_part(Geometry& geometry) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     const glm::dmat4x3 frame({1, 2, 3}, {4, 5, 6}, {7, 8, 10}, {.5, .25, 0});
@@ -203,7 +210,14 @@ void add_curved_part(Geometry& geometry) {
     geometry.unknown = {{{-infinity, 0, 0}, {infinity, 1, 1}}};
     Look image{Look::Kind::image, {}};
     image.image = {0, ImageLook::Mapping::toroidal, ImageLook::Interpolation::bicubic, true, frame};
-    geometry.looks = {{1, {Look::Kind::plain, {}}}, {2, image}, {3, {Look::Kind::traced, {}}}};
+    Look bricks{Look::Kind::pattern, {}};
+    bricks.pattern = {PatternLook::Kind::brick,
+                      {{{.5, .5, .5}, {.7, .2, .1}, {1, 2, 3}}},
+                      {8, 3, 4.5},
+                      .25,
+                      frame};
+    geometry.looks = {
+        {1, {Look::Kind::plain, {}}}, {2, image}, {3, {Look::Kind::traced, {}}}, {4, bricks}};
     geometry.images = {{3, 2, {}}};
 }
 

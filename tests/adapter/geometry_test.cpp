@@ -60,6 +60,11 @@ void expect_equal_looks(const Geometry& a, const Geometry& b) {
         EXPECT_EQ(std::tie(p.image.image, p.image.mapping, p.image.interpolation, p.image.once),
                   std::tie(q.image.image, q.image.mapping, q.image.interpolation, q.image.once));
         EXPECT_EQ(p.image.to_map, q.image.to_map);
+        EXPECT_EQ(p.pattern.kind, q.pattern.kind);
+        EXPECT_EQ(p.pattern.colours, q.pattern.colours);
+        EXPECT_EQ(p.pattern.brick_size, q.pattern.brick_size);
+        EXPECT_EQ(p.pattern.mortar, q.pattern.mortar);
+        EXPECT_EQ(p.pattern.to_pattern, q.pattern.to_pattern);
     }
     ASSERT_EQ(a.images.size(), b.images.size());
     for (std::size_t i = 0; i < a.images.size(); ++i) {
@@ -113,6 +118,8 @@ TEST(GeometryOnTheWire, IsReadAsItWasWritten) {
 }
 
 TEST(GeometryOnTheWire, ContradictionsAreRefused) {
+    constexpr float infinite = std::numeric_limits<float>::infinity();
+    const auto pattern_in = [](Geometry& g) -> PatternLook& { return g.looks[3].look.pattern; };
     const auto refused = [](const std::function<void(Geometry&)>& spoil) {
         Geometry geometry = small_geometry();
         spoil(geometry);
@@ -136,9 +143,14 @@ TEST(GeometryOnTheWire, ContradictionsAreRefused) {
     refused([](Geometry& g) { g.pieces.pop_back(); });
     refused([](Geometry& g) { g.objects[0].pieces = 4; });
     refused([](Geometry& g) { g.objects.pop_back(); });
-    refused([](Geometry& g) { g.looks[0].look.kind = Look::Kind{4}; });
+    refused([](Geometry& g) { g.looks[0].look.kind = Look::Kind{5}; });
     refused([](Geometry& g) { g.looks[0].look.image.mapping = ImageLook::Mapping{5}; });
     refused([](Geometry& g) { g.looks[0].look.image.interpolation = ImageLook::Interpolation{4}; });
+    refused([&](Geometry& g) { pattern_in(g).kind = PatternLook::Kind{3}; });
+    refused([&](Geometry& g) { pattern_in(g).colours[2].y = infinite; });
+    refused([&](Geometry& g) { pattern_in(g).brick_size.z = infinite; });
+    refused([&](Geometry& g) { pattern_in(g).mortar = -infinite; });
+    refused([&](Geometry& g) { pattern_in(g).to_pattern[3].x = infinite; });
     refused([](Geometry& g) { g.images[0].width = 0; });
     refused([](Geometry& g) { g.images[0] = {4000, 4000, {}}; });
     refused([](Geometry& g) { g.images[0] = {0xffffffff, 0xffffffff, {}}; });
@@ -383,7 +395,7 @@ TEST(DrawableSceneOfGeometry, LooksOfWhatIsNotThereAreHarmless) {
     geometry.looks[1].look.image.image = 5;
     geometry.looks[2].material = 0xfffffff0;
     const DrawableScene scene = drawable_scene(geometry, description()).value();
-    EXPECT_LE(scene.looks.size(), 4U);
+    EXPECT_LE(scene.looks.size(), 5U);
     EXPECT_EQ(scene.looks[2].kind, Look::Kind::traced);
 }
 

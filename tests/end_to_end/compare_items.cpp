@@ -9,7 +9,7 @@
 //     inner      of the known ones whose eight neighbours show what they do: the same surface
 //     at edges   of all known ones, those that show a neighbouring pixel's surface instead
 //     beyond     ... and those that show neither
-//     image      pixels whose albedo is known by an image; of these, right within .01: agree
+//     albedo     pixels whose albedo is drawn; of these, right within .01: agree
 //     plain      pixels said to be of one colour all over; of these, of their surface's: agree
 //     ms         painting took, on one thread; of full samples, of albedo rays: as a share of the
 //                time that a thread takes to trace as many
@@ -19,6 +19,7 @@
 #include <cstring>
 #include <glm/geometric.hpp>
 #include <map>
+#include <string>
 
 #include "adapter/geometry.h"
 #include "adapter/povray_options.h"
@@ -37,7 +38,7 @@ double seconds_since(Clock::time_point since) {
 }
 
 double share(std::size_t part, std::size_t all) {
-    return all == 0 ? 1 : static_cast<double>(part) / static_cast<double>(all);
+    return all == 0 ? 0 : static_cast<double>(part) / static_cast<double>(all);
 }
 
 struct Agreement {
@@ -46,7 +47,7 @@ struct Agreement {
     std::size_t at_edges = 0, beyond = 0;
     std::size_t images = 0, images_right = 0;
     std::size_t plain = 0, plain_right = 0;
-    double inner_share() const { return share(inner_right, inner); }
+    bool reaches(double target) const { return inner == 0 || share(inner_right, inner) >= target; }
 };
 
 struct Line {
@@ -96,7 +97,7 @@ class Comparison {
     void compare_albedo(int x, int y, Look::Kind kind) {
         const Sample& sample = traced(x, y);
         const auto at = static_cast<std::size_t>(y * painted_.width + x);
-        if (kind == Look::Kind::image) {
+        if (kind == Look::Kind::image || kind == Look::Kind::pattern) {
             ++result_.images;
             const float off = glm::distance(painted_.albedos[at], sample.albedo);
             result_.images_right += off <= .01f;
@@ -185,22 +186,28 @@ std::optional<Line> compare(const std::filesystem::path& path, const char* name,
     return line;
 }
 
+/// A column of so many digits behind the point; a dash for a share of nothing.
+std::string percent(std::size_t part, std::size_t all, int digits) {
+    char text[32] = "-";
+    if (all > 0) std::snprintf(text, sizeof text, "%.*f%%", digits, 100 * share(part, all));
+    return text;
+}
+
 void print_heading() {
-    std::printf("%7s %8s %8s %8s %7s %8s %7s %8s %8s %8s %8s  scene\n", "known", "inner",
-                "at edges", "beyond", "image", "agree", "plain", "agree", "ms", "of full",
+    std::printf("%8s %9s %9s %9s %8s %9s %8s %9s %8s %8s %8s  scene\n", "known", "inner",
+                "at edges", "beyond", "albedo", "agree", "plain", "agree", "ms", "of full",
                 "of alb.");
 }
 
 void print(const Line& line, const char* name) {
     const Agreement& a = line.agreement;
-    std::printf(
-        "%6.2f%% %7.3f%% %7.3f%% %7.3f%% %6.2f%% %7.3f%% %6.2f%% %7.3f%% %8.1f %7.2f%% "
-        "%7.1f%%  %s\n",
-        100 * share(a.known, a.pixels), 100 * a.inner_share(), 100 * share(a.at_edges, a.known),
-        100 * share(a.beyond, a.known), 100 * share(a.images, a.pixels),
-        100 * share(a.images_right, a.images), 100 * share(a.plain, a.pixels),
-        100 * share(a.plain_right, a.plain), 1000 * line.painting, 100 * line.of_full,
-        100 * line.of_albedo, name);
+    std::printf("%8s %9s %9s %9s %8s %9s %8s %9s", percent(a.known, a.pixels, 2).c_str(),
+                percent(a.inner_right, a.inner, 3).c_str(), percent(a.at_edges, a.known, 3).c_str(),
+                percent(a.beyond, a.known, 3).c_str(), percent(a.images, a.pixels, 2).c_str(),
+                percent(a.images_right, a.images, 3).c_str(), percent(a.plain, a.pixels, 2).c_str(),
+                percent(a.plain_right, a.plain, 3).c_str());
+    std::printf(" %8.1f %7.2f%% %7.1f%%  %s\n", 1000 * line.painting, 100 * line.of_full,
+                100 * line.of_albedo, name);
     std::fflush(stdout);
 }
 
@@ -233,7 +240,7 @@ int main(int argc, char** argv) {
             print(*line, argv[i]);
             add(total, *line);
             ++scenes;
-            at_target += line->agreement.inner_share() >= target;
+            at_target += line->agreement.reaches(target);
         } catch (const Error& error) {
             std::printf("%s: %s\n", argv[i], error.what());
         }

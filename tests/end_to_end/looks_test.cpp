@@ -4,10 +4,13 @@
 // the same at every pixel, a plain look one albedo all over; and which textures are of which kind.
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <glm/geometric.hpp>
 #include <map>
+#include <set>
 
 #include "adapter/povray_options.h"
+#include "core/detail/item_painter.h"
 #include "tests/end_to_end/look_agreement.h"
 #include "tests/end_to_end/real_tracer.h"
 
@@ -132,6 +135,80 @@ TEST_P(ImageLooks, GiveTheAlbedoOfRaysInAnotherGamma) {
 INSTANTIATE_TEST_SUITE_P(Scenes, ImageLooks, testing::ValuesIn(image_scenes),
                          [](const auto& scene) { return scene.param.name; });
 
+const ImageScene pattern_scenes[] = {
+    {"checkers",
+     R"(plane { y, 0 pigment { checker rgb <1,.2,.1> rgb <.1,.4,.9> } }
+sphere { <2,1,0>, 1 pigment { checker rgb x rgb y scale .3 rotate <10,20,30> } translate .1 }
+box { <-3,0,0>, <-1,2,1> pigment { checker pigment { rgb .9 } pigment { rgb <.2,.3,.1> } scale <.5,.2,1> } rotate 30*y }
+box { <-1,.5,-3>, <1,1,-2.5> texture { checker texture { pigment { rgb .5 } } texture { pigment { rgb <.9,.1,0> } } scale .25 rotate 45*y } })",
+     .6, 0},
+    {"bricks",
+     R"(plane { y, 0 texture { pigment { brick rgb .5 rgb <.7,.2,.1> scale .2 } rotate 20*y } }
+sphere { <2,1,0>, 1 pigment { brick brick_size <1,.4,.5> mortar .1 rotate 30*z } scale <1,1.2,1> }
+box { <-3,0,0>, <-1,2,1> pigment { brick rgb .8 rgb <.5,.1,.1> scale .1 } rotate 30*y }
+box { <-1,.5,-3>, <1,1,-2.5> texture { brick texture { pigment { rgb .5 } }, texture { pigment { rgb <.9,.1,0> } } scale .05 } translate .03*x })",
+     .6, 0},
+    {"hexagons",
+     R"(plane { y, 0 pigment { hexagon rgb <1,.2,.1> rgb <.1,.4,.9> rgb <.1,.9,.1> } }
+sphere { <2,1,0>, 1 pigment { hexagon rgb x rgb y scale .2 rotate <10,20,30> } translate .1 }
+box { <-3,0,0>, <-1,2,1> pigment { hexagon rgb .9 rgb .5 rgb <.2,.3,.1> scale .2 rotate 80*x } rotate 30*y }
+box { <-1,.5,-3>, <1,1,-2.5> texture { hexagon texture { pigment { rgb .5 } } texture { pigment { rgb <.9,.1,0> } } texture { pigment { rgb <.1,0,.9> } } scale .1 rotate -90*x } })",
+     .6, 0},
+};
+
+/// The item buffer against albedo rays at every pixel.
+class PatternLooks : public testing::TestWithParam<ImageScene> {
+   protected:
+    void SetUp() override {
+        if (real_tracer().empty()) GTEST_SKIP() << "no tracer: POVPREVIEW_TRACER is not set";
+    }
+    static void expect_agreement(const std::string& start) {
+        const WorkFolder folder;
+        const Sampled all = sample(folder, start + GetParam().text);
+        const std::atomic<bool> stop = false;
+        const ItemBuffer items = paint_items(all.scene, stop);
+        std::size_t on_patterns = 0, right = 0;
+        std::set<std::uint32_t> surfaces;
+        for (const Sample& traced : all.samples) {
+            const auto pixel = static_cast<std::size_t>(traced.position.y) *
+                                   static_cast<std::size_t>(items.width) +
+                               static_cast<std::size_t>(traced.position.x);
+            EXPECT_NE(items.kinds[pixel], Look::Kind::traced);
+            if (items.kinds[pixel] != Look::Kind::pattern ||
+                items.surfaces[pixel] != traced.surface)
+                continue;
+            surfaces.insert(traced.surface);
+            ++on_patterns;
+            const bool agrees = glm::distance(items.albedos[pixel], traced.albedo) < 1e-5f;
+            right += agrees;
+            EXPECT_TRUE(agrees || on_patterns - right > 5)
+                << traced.position.x << ", " << traced.position.y;
+        }
+        EXPECT_EQ(right, on_patterns);
+        EXPECT_GE(static_cast<double>(on_patterns),
+                  GetParam().share * static_cast<double>(all.samples.size()));
+        EXPECT_GE(surfaces.size(), 4U);
+    }
+};
+
+TEST_P(PatternLooks, GiveTheAlbedoOfRays) { expect_agreement(head); }
+
+TEST_P(PatternLooks, GiveTheAlbedoOfRaysInAnotherGamma) {
+    std::string start = head;
+    start.replace(start.find("assumed_gamma 1"), 15, "assumed_gamma 2.2");
+    expect_agreement(start);
+}
+
+TEST_P(PatternLooks, GiveTheAlbedoOfRaysInOldScenes) {
+    std::string start = head;
+    const std::string settings = "#version 3.7; global_settings { assumed_gamma 1 }";
+    start.replace(start.find(settings), settings.size(), "#version 3.6;");
+    expect_agreement(start);
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, PatternLooks, testing::ValuesIn(pattern_scenes),
+                         [](const auto& scene) { return scene.param.name; });
+
 TEST(Looks, OfTexturesAreWhatTheyShouldBe) {
     if (real_tracer().empty()) GTEST_SKIP() << "no tracer: POVPREVIEW_TRACER is not set";
     using enum Look::Kind;
@@ -148,13 +225,27 @@ TEST(Looks, OfTexturesAreWhatTheyShouldBe) {
          "} } "
          "finish { reflection .5 } }",
          mixed},
-        {"pigment { checker rgb 1 rgb 0 }", traced},
+        {"pigment { checker rgb 1 rgb 0 }", pattern},
+        {"pigment { checker pigment { rgb x } pigment { rgb y } rotate 10*x }", pattern},
+        {"pigment { checker pigment { rgb x } pigment { wood } }", traced},
+        {"pigment { checker rgb 1 rgb 0 turbulence .2 }", traced},
+        {"pigment { hexagon rgb 1 rgb 0 rgb x frequency 2 }", traced},
+        {"pigment { checker rgb 1 rgb 0 warp { repeat x flip x } }", traced},
+        {"pigment { checker rgb 1 rgb 0 quick_color rgb x }", traced},
+        {"uv_mapping pigment { checker rgb 1 rgb 0 }", traced},
+        {"texture { pigment { brick rgb 1 rgb x } normal { bumps .3 } finish { specular .4 } }",
+         pattern},
+        {"texture { hexagon texture { pigment { rgb x } } texture { pigment { rgb y } } texture { "
+         "pigment { rgb z } } scale .1 }",
+         pattern},
+        {"texture { checker texture { pigment { rgb x } }, texture { pigment { wood } } }", traced},
+        {"texture { pigment { checker rgb 1 rgb 0 } } texture { pigment { rgbt .5 } }", traced},
         {"pigment { marble turbulence 1 } normal { bumps .4 } finish { specular .4 }", traced},
         {"pigment { checker rgb 1 rgbt <1,1,1,.5> }", mixed},
         {"pigment { checker rgb 1 rgb x } finish { metallic specular .5 }", mixed},
         {"pigment { average pigment_map { [1 wood] [2 rgb x] } }", traced},
         {"texture { checker texture { pigment { rgb x } }, texture { pigment { rgb y } } }",
-         traced},
+         pattern},
         {"texture { checker texture { pigment { rgb x } }, texture { pigment { rgb y } finish { "
          "reflection .5 } } }",
          mixed},

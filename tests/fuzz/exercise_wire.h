@@ -63,7 +63,10 @@ inline bool exercise_wire(std::span<const std::byte> stream, std::size_t chunk) 
                     object.pieces <= geometry.pieces.size() - object.first_piece);
         for (const Geometry::MaterialLook& look : geometry.looks)
             promise(look.look.kind <= Look::Kind::mixed &&
-                    look.look.image.mapping <= ImageLook::Mapping::uv);
+                    look.look.image.mapping <= ImageLook::Mapping::uv &&
+                    look.look.pattern.kind <= PatternLook::Kind::hexagon &&
+                    std::isfinite(look.look.pattern.mortar) &&
+                    std::isfinite(look.look.pattern.colours[2].z));
         for (const ImageTexels& image : geometry.images)
             promise(std::uint64_t{image.width} * image.height <= wire_max_texels);
         Geometry twice = geometry;
