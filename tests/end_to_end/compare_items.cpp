@@ -97,7 +97,7 @@ class Comparison {
     void compare_albedo(int x, int y, Look::Kind kind) {
         const Sample& sample = traced(x, y);
         const auto at = static_cast<std::size_t>(y * painted_.width + x);
-        if (kind == Look::Kind::image) {
+        if (kind == Look::Kind::image || kind == Look::Kind::pattern) {
             ++result_.images;
             const float off = glm::distance(painted_.albedos[at], sample.albedo);
             result_.images_right += off <= .01f;
