@@ -75,6 +75,8 @@ class MeshPreviewer : public Previewer {
     Statistics statistics() const override;
 
     const Mesh& mesh() const { return mesh_; }
+    /// Full samples of the first, regular grid.
+    std::size_t first_samples() const { return grid_.size(); }
     /// The first invariant that does not hold, as a sentence, of the mesh or between mesh, heap and
     /// pixels; empty where all is well.
     std::string validate() const;

@@ -15,6 +15,7 @@
 #include "display/caption.h"
 #include "display/image_file.h"
 #include "display/offscreen.h"
+#include "display/program/detail_pictures.h"
 #include "display/program/folder.h"
 #include "display/program/interrupt.h"
 #include "display/program/reference.h"
@@ -71,6 +72,16 @@ Picture picture_of(const std::vector<EdgeChain>& edges, glm::ivec2 size) {
     return picture;
 }
 
+/// An item buffer for cameras under which none can be painted.
+ItemBuffer nothing_known(glm::ivec2 size) {
+    ItemBuffer items;
+    items.width = size.x;
+    items.height = size.y;
+    items.surfaces.assign(std::size_t(size.x) * std::size_t(size.y), ItemBuffer::unknown);
+    items.kinds.assign(items.surfaces.size(), Look::Kind::mixed);
+    return items;
+}
+
 /// Segments of each kind, with the colours in which the painter draws them.
 std::string count(const std::vector<EdgeChain>& edges) {
     std::array<std::size_t, edge_kinds> counts{};
@@ -116,10 +127,10 @@ class Figures {
     Exit run() {
         make_folder(options_.out, "--out");
         reference_ = stock_reference(options_.povray, options_.out, interrupted);
-        TracedScene scene(
-            povray_.tracer_arguments(), options_.stall_timeout,
-            [&](const std::string& text) { line_.show(text); }, interrupted,
-            {.edges = EdgeFinding{.mirror_depth = options_.mirror_depth}, .items = false});
+        TracedScene scene(povray_.tracer_arguments(), options_.stall_timeout,
+                          [&](const std::string& text) { line_.show(text); }, interrupted,
+                          {.edges = EdgeFinding{.mirror_depth = options_.mirror_depth},
+                           .items = options_.figure == 2});
         size_ = {scene.description().width, scene.description().height};
         check_size();
         add("a", decoded(reference_),
@@ -128,7 +139,10 @@ class Figures {
         // came.
         line_.show("finding edges");
         scene.wait_for_foreknowledge(interrupted);
-        draw(scene);
+        if (options_.figure == 1)
+            draw_worth_of_edges(scene);
+        else
+            draw_phases(scene);
         line_.clear();
         if (interrupted()) return Exit::interrupted;
         write();
@@ -149,12 +163,13 @@ class Figures {
         return options_.samples.value_or(std::max<std::size_t>(4, pixels / pixels_per_sample));
     }
 
-    void draw(TracedScene& scene) {
+    void draw_worth_of_edges(TracedScene& scene) {
         const std::vector<EdgeChain>& edges = scene.edges();
         const RegularGrid grid = regular_grid(samples(), size_);
         MeshPreviewer plain(size_.x, size_.y,
                             {.constraints = false, .detail = false, .grid_cell = grid.cell});
-        trace(plain, scene, grid.samples);
+        Session plain_session(plain, scene.oracle());
+        trace(plain_session, grid.samples);
         draw(plain, "b", "c", "plain triangulation");
 
         // Most samples are for refinement, also where there are but few in all.
@@ -163,15 +178,48 @@ class Figures {
             sparse.grid_cell, regular_grid(std::max<std::size_t>(4, grid.samples / 4), size_).cell);
         MeshPreviewer constrained(size_.x, size_.y, sparse);
         constrained.accept_edges(std::vector<EdgeChain>(edges));
-        trace(constrained, scene, grid.samples);
+        Session constrained_session(constrained, scene.oracle());
+        trace(constrained_session, grid.samples);
         draw(constrained, "d", "e", "constrained triangulation");
 
         add("f", render(lines_alone(picture_of(edges, size_)), Overlay::edges),
             "f: edges known without rays\n" + count(edges));
     }
 
-    void trace(Previewer& previewer, TracedScene& scene, std::size_t limit) {
+    void draw_phases(TracedScene& scene) {
+        MeshPreviewer previewer(size_.x, size_.y);
+        previewer.accept_edges(std::vector<EdgeChain>(scene.edges()));
+        if (const ItemBuffer* items = scene.items())
+            previewer.accept_items(*items);
+        else
+            previewer.accept_items(nothing_known(size_));
         Session session(previewer, scene.oracle());
+        trace(session, previewer.first_samples());
+        const Picture first = previewer.picture(Overlay::mesh);
+        add("b", render(lines_alone(first), Overlay::mesh),
+            fmt::format("b: the first {} samples with the edges", traced_));
+        add("c", render(albedo_picture(first), Overlay::none), "c: textures known without tracing");
+        add("d", render(traced_surfaces_picture(first), Overlay::none),
+            "d: surfaces whose texture is traced");
+        const std::string first_caption = caption("f: first preview", first);
+        trace(session, std::max(samples(), traced_ + 1));
+        const Picture last = previewer.picture(Overlay::none);
+        add("e", render(albedo_picture(last), Overlay::none),
+            fmt::format("e: textures known after {} albedo rays", session.counts().albedo));
+        add("f", render(first, Overlay::none), first_caption);
+        add("g", render(detail_map_picture(last), Overlay::none), "g: DetailMap with BF-squares");
+        add("h", render(last, Overlay::none), caption("h: preview", last));
+    }
+
+    /// Measured as `compare` does it, without smoothing.
+    std::string caption(const std::string& what, const Picture& picture) {
+        const ErrorMeasures error =
+            measure_error(offscreen_.render(picture, size_.x, size_.y).pixels, reference_.pixels);
+        return fmt::format("{}\n{} samples, error L1 {:.5f} RMSE {:.5f}", what, traced_, error.l1,
+                           error.rmse);
+    }
+
+    void trace(Session& session, std::size_t limit) {
         session.limit_full(limit);
         while (session.advance(20ms) && !interrupted())
             line_.show(fmt::format("{} of {} samples", session.counts().full, limit));
@@ -181,12 +229,8 @@ class Figures {
     void draw(const Previewer& previewer, const char* preview, const char* mesh,
               const std::string& what) {
         const Picture picture = previewer.picture(Overlay::mesh);
-        // Measured as `compare` does it, without smoothing.
-        const ErrorMeasures error =
-            measure_error(offscreen_.render(picture, size_.x, size_.y).pixels, reference_.pixels);
         add(preview, render(picture, Overlay::none),
-            fmt::format("{}: preview, {}\n{} samples, error L1 {:.5f} RMSE {:.5f}", preview, what,
-                        traced_, error.l1, error.rmse));
+            caption(fmt::format("{}: preview, {}", preview, what), picture));
         add(mesh, render(lines_alone(picture), Overlay::mesh),
             fmt::format("{}: {}, {} vertices", mesh, what, previewer.statistics().vertices));
     }

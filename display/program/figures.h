@@ -9,11 +9,17 @@
 
 namespace povpreview {
 
-/// The first figure of Pighin, Lischinski and Salesin (1997) for any scene: the finished picture,
-/// the preview from a plain triangulation of a regular grid of samples, that triangulation, the
-/// preview from a triangulation constrained by the edges that are known without rays from as many
-/// samples, that triangulation, and the edges alone. Writes a.png to f.png and a sheet of all,
-/// figure.png. Throws Error.
+/// The first two figures of Pighin, Lischinski and Salesin (1997) for any scene. Writes a.png,
+/// b.png ... and a sheet of all, figure.png. Throws Error.
+///
+/// Figure 1: a the finished picture, b the preview from a plain triangulation of a regular grid of
+/// samples, c that triangulation, d the preview from a triangulation constrained by the edges that
+/// are known without rays from as many samples, e that triangulation, f the edges alone.
+///
+/// Figure 2: a the finished picture, b the triangulation of the first samples with the edges, c the
+/// textures known without tracing, d the surfaces of which only tracing can tell the texture, e all
+/// textures known in the end, f the first preview, g the DetailMap in the end, with its BF-squares,
+/// h the preview in the end.
 Exit figures(const FiguresOptions& options);
 
 /// A regular grid over an image.

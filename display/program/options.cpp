@@ -183,14 +183,22 @@ void read_compare(const std::vector<std::string>& words, CommandLine& result) {
 void read_figures(const std::vector<std::string>& words, CommandLine& result) {
     FiguresOptions options;
     CLI::App app(
-        "Shows what edges known without rays are worth, as the method's authors did: in DIR a.png "
-        "the finished picture, b.png a preview from a plain triangulation of a regular grid of "
-        "samples, c.png that triangulation, d.png a preview from as many samples constrained by "
-        "the edges, e.png that triangulation, f.png the edges alone, figure.png all of them.\n\n"
+        "Shows the method at work, as its authors did: pictures a.png, b.png ... in DIR, and "
+        "figure.png, all of them.\n"
+        "Figure 1, what edges known without rays are worth: the finished picture, a preview from a "
+        "plain triangulation of a regular grid of samples, that triangulation, a preview from as "
+        "many samples constrained by the edges, that triangulation, the edges alone.\n"
+        "Figure 2, the phases of the method: the finished picture, the first triangulation, the "
+        "textures known without tracing, the surfaces of which only tracing can tell them, those "
+        "textures as far as they were traced, the first preview, the DetailMap in the end, the "
+        "preview in the end.\n\n"
         "  povpreview figures [POV-Ray options] SCENE.pov --out DIR [options]",
         "povpreview figures");
     app.set_help_flag("--help", "Show this text");
     add_out(app, options);
+    app.add_option("--figure", options.figure, "1 (default) or 2")
+        ->check(CLI::Range(1, 2))
+        ->option_text("N");
     app.add_option("--samples", options.samples,
                    "Full samples of each preview, about (default: one for a hundred pixels)")
         ->check(CLI::PositiveNumber)

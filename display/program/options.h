@@ -44,6 +44,7 @@ struct CompareOptions {
 struct FiguresOptions {
     std::vector<std::string> povray;
     std::filesystem::path out;
+    int figure = 1;                      ///< the paper's first or second
     std::optional<std::size_t> samples;  ///< of each preview; one for a hundred pixels if not given
     int mirror_depth = 1;                ///< see EdgeFinding
     Backend backend = Backend::automatic;
