@@ -423,8 +423,14 @@ Picture MeshPreviewer::picture(Overlay overlay) const {
 }
 
 Statistics MeshPreviewer::statistics() const {
-    return {mesh_.triangulation().vertices(), mesh_.triangulation().constraints(), squares_.known(),
-            mesh_.triangulation().labels().counts()};
+    Statistics statistics{mesh_.triangulation().vertices(), mesh_.triangulation().constraints(),
+                          squares_.known(), mesh_.triangulation().labels().counts()};
+    if (detail_) {
+        statistics.items = detail_->known();
+        statistics.albedos = detail_->albedos();
+        statistics.contradicted = detail_->contradicted();
+    }
+    return statistics;
 }
 
 std::string MeshPreviewer::validate() const {

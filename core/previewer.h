@@ -24,6 +24,8 @@ struct Statistics {
     std::size_t filled = 0;       ///< pixels that show their own full sample
     /// The constrained edges by EdgeKind.
     std::array<std::size_t, edge_kinds> constraints_by_kind{};
+    // Of the DetailMap: pixels whose item is known, and whose albedo; samples that contradicted it.
+    std::size_t items = 0, albedos = 0, contradicted = 0;
 };
 
 /// A way to choose samples and to make a picture of them. A pure state machine: it says which

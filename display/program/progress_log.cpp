@@ -38,10 +38,11 @@ void ProgressLog::write(const Standing& p) {
         fmt::format("{{\"time_s\":{:.4f},\"launch_s\":{:.4f},\"full\":{},\"probe\":{},"
                     "\"albedo\":{},\"vertices\":{},\"constraints\":{},\"geometric\":{},"
                     "\"shadow\":{},\"reflection\":{},\"traced\":{},\"filled\":{},"
-                    "\"busy\":{:.3f}}}\n",
+                    "\"items\":{},\"albedos\":{},\"contradicted\":{},\"busy\":{:.3f}}}\n",
                     p.time_s, p.launch_s, p.full, p.probe, p.albedo, p.statistics.vertices,
                     p.statistics.constraints, of(EdgeKind::geometric), of(EdgeKind::shadow),
-                    of(EdgeKind::reflection), of(EdgeKind::traced), p.statistics.filled, p.busy));
+                    of(EdgeKind::reflection), of(EdgeKind::traced), p.statistics.filled,
+                    p.statistics.items, p.statistics.albedos, p.statistics.contradicted, p.busy));
 }
 
 void ProgressLog::write_event(double time_s, const std::string& text) {

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: AGPL-3.0-or-later
 #
-# figures.sh POVPREVIEW: `figures` writes its seven pictures, the constrained preview is the better
+# figures.sh POVPREVIEW: `figures` writes its pictures, the constrained preview is the better
 # one by far, edges of all kinds are found where there are any, and none where the camera is bent.
 set -u
 povpreview=$1
@@ -33,6 +33,18 @@ P
 sed 's/CAMERA/fisheye angle 90/' room.pov >bent.pov
 sed -i 's/CAMERA//' room.pov
 
+cat >tiles.pov <<'P'
+#version 3.7;
+global_settings { assumed_gamma 1.0 }
+camera { location <1, 2.2, -6> look_at <0, 1, 0> }
+light_source { <4, 7, -5>, 1 }
+plane {
+  y, 0
+  pigment { image_map { function 16, 16 { pattern { checker scale 1 / 4 } } } rotate x * 90 }
+}
+sphere { y, 1 pigment { granite scale 2 } }
+P
+
 figures() { timeout 120 "$povpreview" figures "$@" >out 2>err </dev/null; }
 # error LETTER: the L1 error that its caption tells.
 error() { sed -nE "s/^$1: .*L1 ([0-9.]+) .*/\1/p" out; }
@@ -40,11 +52,11 @@ samples() { sed -nE "s/^$1: .*[; ]([0-9]+) samples.*/\1/p" out; }
 much_better() { awk -v b="$(error b)" -v d="$(error d)" 'BEGIN { exit !(d > 0 && d * 4 < b) }'; }
 all_pictures() {
     local name
-    for name in a b c d e f figure; do [ -s "$1/$name.png" ] || return 1; done
+    for name in "${@:2}" figure; do [ -s "$1/$name.png" ] || return 1; done
 }
 
 check "room.pov succeeds" figures room.pov +W160 +H120 --out room --samples 400
-check "seven pictures" all_pictures room
+check "seven pictures" all_pictures room a b c d e f
 check "constraints mend three quarters of the error" much_better
 check "about as many samples as asked for" test "$(samples b)" -gt 360 -a "$(samples b)" -lt 440
 check "as many samples for both" test "$(samples b)" = "$(samples d)"
@@ -53,6 +65,13 @@ check "no mirrors on request" figures room.pov +W160 +H120 --out room --mirror-d
 check "no reflected edges then" grep -qE '^f: .* 0 reflection' out
 check "a bent camera succeeds" figures bent.pov +W160 +H120 --out bent
 check "a bent camera has no edges" grep -qE '^f: .*[; ]0 geometric.* 0 shadow.* 0 reflection' out
+check "figure 2 succeeds" figures tiles.pov +W160 +H120 --out tiles --figure 2 --samples 800
+check "nine pictures" all_pictures tiles a b c d e f g h
+better_in_the_end() { awk -v f="$(error f)" -v h="$(error h)" 'BEGIN { exit !(h > 0 && h * 2 < f) }'; }
+check "refinement mends half of the first error" better_in_the_end
+check "figure 2 under a bent camera succeeds" figures bent.pov +W80 +H60 --out bent --figure 2
+figures room.pov --out d --figure 3
+check "there is no third figure" test $? = 2
 figures missing.pov --out d
 check "a missing scene is the user's fault" test $? = 2
 figures room.pov --out /dev/null/d
