@@ -13,13 +13,14 @@ constexpr float least_jump = 4e-4f;
 /// The dearest albedo rays, against full samples, that are worth having: where the albedo is known
 /// to vary, and where nothing is known but that colours differ. A full sample does away with all of
 /// a pixel's error.
-constexpr double dearest_albedo = .35, dearest_look = .06;
+constexpr double dearest_albedo = .5, dearest_look = .06;
 
 /// Edges that must tell of a surface's texture before it is fetched as a whole.
 constexpr std::uint32_t edges_for_whole = 4;
 
-/// What surfaces fetched as a whole may cost, against the full samples of the same time.
-constexpr double whole_share = 1;
+/// What albedo rays may cost, against the full samples of the same time: at first the light on
+/// surfaces is worth as much as their texture.
+constexpr double albedo_share = 1;
 
 }  // namespace
 
@@ -49,17 +50,16 @@ void AlbedoFetch::want(std::size_t square) {
 }
 
 void AlbedoFetch::full_asked() {
-    if (whole_.empty() && rest_.empty()) return;
-    credit_ = std::min(credit_ + whole_share / price_, 4096.);
+    credit_ = std::min(credit_ + albedo_share / price_, 4096.);
 }
 
 std::optional<Pixel> AlbedoFetch::next(const DetailMap* detail) {
+    if (credit_ < 1) return std::nullopt;
     auto pixel = next_wanted(detail);
-    if (!pixel && credit_ >= 1 && detail) {
-        pixel = next_of_whole(*detail);
-        if (pixel) credit_ -= 1;
-    }
-    if (pixel) fetched_[*pixel] = true;
+    if (!pixel && detail) pixel = next_of_whole(*detail);
+    if (!pixel) return std::nullopt;
+    credit_ -= 1;
+    fetched_[*pixel] = true;
     return pixel;
 }
 

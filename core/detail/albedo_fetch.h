@@ -14,8 +14,8 @@ namespace povpreview {
 /// Decides which albedo rays are worth their cost, square by square.
 ///
 /// An edge of the mesh whose ends differ in colour but not in light tells of a texture: the albedo
-/// along it is wanted at once. A surface of which many edges tell so is fetched as a whole, a share
-/// of the time, the more its texture is seen the sooner (paper, section 2: when the density of
+/// along it is wanted before all other. A surface of which many edges tell so is fetched as a whole,
+/// the more its texture is seen the sooner (paper, section 2: when the density of
 /// samples over its projection passes a threshold); one that is hardly lit never tells anything.
 class AlbedoFetch {
    public:
@@ -30,7 +30,7 @@ class AlbedoFetch {
     bool tells(std::uint32_t p, std::uint32_t q, float jump, bool explained);
     /// Wants what is not known of a square before anything else.
     void want(std::size_t square);
-    /// A full sample was asked for: the surfaces fetched as a whole earn their share.
+    /// A full sample was asked for: albedo rays may cost as much.
     void full_asked();
 
     /// The pixel to fetch next, if any, none of them twice; `detail`, what is known so far, may be
@@ -54,7 +54,7 @@ class AlbedoFetch {
 
     const BfSquares& squares_;
     double price_ = 1e9;
-    double credit_ = 0;  ///< albedo rays that the surfaces fetched as a whole may have now
+    double credit_ = 0;  ///< albedo rays that may be asked for now
     std::vector<std::uint8_t> asked_;   // by square
     std::vector<bool> fetched_;         // by pixel: asked for, answered or not
     std::deque<std::size_t> wanted_;    // squares
