@@ -21,6 +21,8 @@ constexpr std::uint32_t edges_for_whole = 4;
 /// What albedo rays may cost, against the full samples of the same time: at first the light on
 /// surfaces is worth as much as their texture.
 constexpr double albedo_share = 1;
+/// Rays that may be earned in advance.
+constexpr double most_credit = 1024;
 
 }  // namespace
 
@@ -49,9 +51,7 @@ void AlbedoFetch::want(std::size_t square) {
     wanted_.push_back(square);
 }
 
-void AlbedoFetch::full_asked() {
-    credit_ = std::min(credit_ + albedo_share / price_, 4096.);
-}
+void AlbedoFetch::full_asked() { credit_ = std::min(credit_ + albedo_share / price_, most_credit); }
 
 std::optional<Pixel> AlbedoFetch::next(const DetailMap* detail) {
     if (credit_ < 1) return std::nullopt;

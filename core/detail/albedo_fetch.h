@@ -14,9 +14,9 @@ namespace povpreview {
 /// Decides which albedo rays are worth their cost, square by square.
 ///
 /// An edge of the mesh whose ends differ in colour but not in light tells of a texture: the albedo
-/// along it is wanted before all other. A surface of which many edges tell so is fetched as a whole,
-/// the more its texture is seen the sooner (paper, section 2: when the density of
-/// samples over its projection passes a threshold); one that is hardly lit never tells anything.
+/// along it is wanted before all other. A surface of which many edges tell so is fetched as a
+/// whole, the more its texture is seen the sooner (paper, section 2: when the density of samples
+/// over its projection passes a threshold); one that is hardly lit never tells anything.
 class AlbedoFetch {
    public:
     explicit AlbedoFetch(const BfSquares& squares)
@@ -54,7 +54,7 @@ class AlbedoFetch {
 
     const BfSquares& squares_;
     double price_ = 1e9;
-    double credit_ = 0;  ///< albedo rays that may be asked for now
+    double credit_ = 0;                 ///< albedo rays that may be asked for now
     std::vector<std::uint8_t> asked_;   // by square
     std::vector<bool> fetched_;         // by pixel: asked for, answered or not
     std::deque<std::size_t> wanted_;    // squares

@@ -37,6 +37,9 @@ class AlbedoFetchTest : public testing::Test {
         }
         return fetched;
     }
+    void earn(int full_samples) {
+        for (int i = 0; i < full_samples; ++i) fetch.full_asked();
+    }
     void tell(std::uint32_t item, int edges, bool explained = true, float by = jump) {
         for (int i = 0; i < edges; ++i) fetch.tells(item, item, by, explained);
     }
@@ -81,6 +84,8 @@ TEST_F(AlbedoFetchTest, AWantedSquareIsFetchedOnceAndWhole) {
     fetch.set_price(.1);
     const Pixel somewhere = 13 * width + 21;
     for (int times = 0; times < 3; ++times) fetch.want(squares.square_of(somewhere));
+    EXPECT_TRUE(fetch_all().empty()) << "nothing earned yet";
+    earn(20);
     const std::multiset<Pixel> fetched = fetch_all();
     EXPECT_EQ(fetched.size(), 64u);
     for (const Pixel p : fetched) {
@@ -97,6 +102,7 @@ TEST_F(AlbedoFetchTest, WhatIsKnownOrFilledIsNotFetched) {
     sample.surface = 10;
     for (Pixel p = 0; p < 5; ++p) detail.accept_albedo(p, sample, numbers);
     fetch.want(0);
+    earn(20);
     EXPECT_EQ(fetch_all().size(), 64u - 5);
     squares.fill(3);
     fetch.want(3);
@@ -106,17 +112,15 @@ TEST_F(AlbedoFetchTest, WhatIsKnownOrFilledIsNotFetched) {
 TEST_F(AlbedoFetchTest, ASurfaceOfWhichManyEdgesTellIsFetchedWholeForItsShare) {
     fetch.set_price(.1);
     tell(0, 3);
-    for (int i = 0; i < 50; ++i) fetch.full_asked();
+    earn(1);
     EXPECT_TRUE(fetch_all().empty()) << "three edges are not many";
     tell(0, 1);
-    EXPECT_TRUE(fetch_all().empty()) << "nothing earned since";
-    fetch.full_asked();
-    // A full sample's time buys ten rays, of which all may go to surfaces fetched as a whole.
+    // A full sample's time buys ten rays.
     const std::multiset<Pixel> first = fetch_all();
     EXPECT_EQ(first.size(), 10u);
     std::multiset<Pixel> all = first;
     for (int i = 0; i < 1000; ++i) {
-        fetch.full_asked();
+        earn(1);
         all.merge(fetch_all());
     }
     EXPECT_EQ(all.size(), std::size_t(width) * height / 2) << "every pixel of item 0, and no other";
