@@ -190,12 +190,11 @@ void add_texels(const ImageTexels& image, const ImageLook& look, const glm::dvec
     }
 }
 
-/// Linear light from the working gamma, none below 0; not finite where the colour is not.
+/// Linear light from the working gamma. Interpolation may overshoot to below 0, where the tracer's
+/// own samples stay what they are as well.
 float linear(double channel, float gamma) {
     const auto value = static_cast<float>(channel);
-    if (!std::isfinite(value)) return value;
-    const float positive = value < 0 ? 0 : value;
-    return gamma == 1 ? positive : std::pow(positive, gamma);
+    return value > 0 && gamma != 1 ? std::pow(value, gamma) : value;
 }
 
 }  // namespace

@@ -10,8 +10,8 @@
 namespace povpreview {
 
 /// Linear albedo of an image-mapped surface at a point: what POV-Ray 3.7's image_map pigment has
-/// there (its map types, interpolations, `once`), but for negative overshoot of the bicubic
-/// interpolation, which is 0 here.
+/// there (its map types, interpolations, `once`), also where the bicubic interpolation overshoots
+/// to below 0.
 ///
 /// Nothing outside of a `once` map and where the mapping itself has no value (on the axis of a
 /// cylinder, say); where the image is not opaque; and where anything is amiss: an image that is

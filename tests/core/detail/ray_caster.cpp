@@ -351,7 +351,9 @@ std::optional<glm::dvec3> image_colour(const ImageTexels& image, const ImageLook
                     add(i0 + i, j0 + j, 1 / std::max((i - u) * (i - u) + (j - v) * (j - v), 1e-12));
             break;
     }
-    return glm::pow(glm::max(colour / sum, 0.), glm::dvec3(gamma));
+    for (int c = 0; c < 3; ++c)
+        colour[c] = colour[c] > 0 ? std::pow(colour[c] / sum, gamma) : colour[c] / sum;
+    return colour;
 }
 
 }  // namespace povpreview::test
