@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "core/detail/item_search.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+
+namespace povpreview {
+namespace {
+
+using namespace std::chrono_literals;
+
+/// A triangle that fills the view of an orthographic camera looking along z.
+ItemSearch::Scene triangle(int width, int height) {
+    auto scene = std::make_shared<DrawableScene>();
+    PolygonScene& polygons = scene->polygons;
+    polygons.width = width;
+    polygons.height = height;
+    polygons.camera.eye = {0, 0, -1, 0};
+    polygons.camera.to_pixels[0] = {1, 0, 0};
+    polygons.camera.to_pixels[1] = {0, 1, 0};
+    polygons.camera.to_pixels[2] = {0, 0, 0};
+    polygons.camera.to_pixels[3] = {0, 0, 1};
+    polygons.camera.depth = {0, 0, 1, 0};
+    const double far = 10. * (width + height);
+    polygons.points = {{-far, -far, 1}, {far, -far, 1}, {0, far, 1}};
+    polygons.corners = {0, 1, 2};
+    Face face;
+    face.count = 3;
+    face.surface = 7;
+    polygons.faces = {face};
+    return scene;
+}
+
+TEST(ItemSearch, PaintsBesideWhoeverWaits) {
+    ItemSearch search([] { return triangle(40, 30); });
+    while (!search.finished()) search.wait_for(10ms);
+    ASSERT_NE(search.items(), nullptr);
+    EXPECT_EQ(search.items()->surfaces, std::vector<std::uint32_t>(40 * 30, 7));
+    EXPECT_GE(search.seconds(), 0);
+}
+
+TEST(ItemSearch, WithoutASceneThereAreNoItems) {
+    ItemSearch search([] { return ItemSearch::Scene(); });
+    while (!search.finished()) search.wait_for(10ms);
+    EXPECT_EQ(search.items(), nullptr);
+}
+
+TEST(ItemSearch, EndsAtOnceWhereverItIs) {
+    auto many = std::make_shared<DrawableScene>(*triangle(2000, 2000));
+    many->polygons.faces.resize(20000, many->polygons.faces[0]);  // minutes of painting
+    const auto begun = std::chrono::steady_clock::now();
+    for (const auto pause : {0ms, 1ms, 30ms}) {
+        ItemSearch search([&] { return ItemSearch::Scene(many); });
+        search.wait_for(pause);
+    }
+    EXPECT_LT(std::chrono::steady_clock::now() - begun, 20s);
+}
+
+}  // namespace
+}  // namespace povpreview
