@@ -9,6 +9,9 @@
 
 namespace povpreview {
 
+/// Larger pictures are previewed without item buffer and DetailMap, which would take gigabytes.
+inline constexpr std::int64_t most_item_pixels = std::int64_t{1} << 25;
+
 /// What is seen through the centre of every pixel, found without tracing: row by row from the top.
 struct ItemBuffer {
     static constexpr std::uint32_t background = 0;        ///< nothing is hit; as Sample::surface

@@ -87,6 +87,8 @@ TracedScene::TracedScene(std::vector<std::string> povray_arguments, double stall
       wants_items_(foreknowledge.items),
       edge_finding_(foreknowledge.edges) {
     parsed_ = Clock::now();
+    wants_items_ =
+        wants_items_ && std::int64_t{description_.width} * description_.height <= most_item_pixels;
 }
 
 ImageFrame TracedScene::frame() const {
