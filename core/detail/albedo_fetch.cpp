@@ -13,7 +13,7 @@ constexpr float least_jump = 4e-4f;
 /// The dearest albedo rays, against full samples, that are worth having: where the albedo is known
 /// to vary, and where nothing is known but that colours differ. A full sample does away with all of
 /// a pixel's error.
-constexpr double dearest_albedo = .5, dearest_look = .06;
+constexpr double dearest_albedo = .32, dearest_look = .06;
 
 /// Edges that must tell of a surface's texture before it is fetched as a whole.
 constexpr std::uint32_t edges_for_whole = 4;
