@@ -97,10 +97,10 @@ void AlbedoFetch::begin_whole(const DetailMap& detail) {
     const auto most =
         std::max_element(whole_.begin(), whole_.end(),
                          [&](std::uint32_t a, std::uint32_t b) { return seen(a) < seen(b); });
-    current_ = *most;
+    const std::uint32_t item = *most;
     whole_.erase(most);
     for (Pixel pixel = 0; pixel < squares_.pixels(); ++pixel)
-        if (detail.item(pixel) == current_ && is_open(pixel, &detail)) rest_.push_back(pixel);
+        if (detail.item(pixel) == item && is_open(pixel, &detail)) rest_.push_back(pixel);
     std::stable_sort(rest_.begin(), rest_.end(), [&](Pixel a, Pixel b) {
         return squares_.square_of(a) > squares_.square_of(b);
     });

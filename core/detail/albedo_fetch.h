@@ -61,8 +61,7 @@ class AlbedoFetch {
     int scanned_ = 0;                   // pixels of the first of them that need no request
     std::vector<Item> items_;           // by item
     std::vector<std::uint32_t> whole_;  // items to be fetched as a whole
-    std::uint32_t current_ = DetailMap::unknown;  // the one that is being fetched
-    std::vector<Pixel> rest_;                     // of its pixels, last first
+    std::vector<Pixel> rest_;           // of the one that is being fetched, last first
 };
 
 }  // namespace povpreview
