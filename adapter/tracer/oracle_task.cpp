@@ -60,6 +60,7 @@ OracleTask::OracleTask(pov::ViewData* view, std::shared_ptr<const SharedScene> s
 }
 
 void OracleTask::Run() {
+    Oracle::instance().serve();
     WorkQueue& queue = Oracle::instance().queue();
     // Samples must not depend on what was traced before, so nothing is added to the radiosity
     // cache any more; each sample starts the same pattern of directions.
