@@ -63,8 +63,8 @@ class Oracle {
 /// Short for use inside POV-Ray.
 inline bool enabled() { return Oracle::instance().enabled(); }
 
-/// POV-Ray's threads ask each other by polling every 10 to 50 ms, and a start takes five or six such
-/// rounds: .25 s in which nothing happens. Milliseconds to wait instead of `usual` ones.
+/// POV-Ray's threads ask each other by polling every 10 to 50 ms, and a start takes five or six
+/// such rounds: .25 s in which nothing happens. Milliseconds to wait instead of `usual` ones.
 inline unsigned poll_interval(unsigned usual) {
     const Oracle& oracle = Oracle::instance();
     return oracle.enabled() && !oracle.serving() ? 1 : usual;
