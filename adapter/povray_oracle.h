@@ -84,6 +84,8 @@ class PovrayOracle : public SampleOracle {
     void collect(std::vector<Sample>& samples, std::chrono::nanoseconds patience) override;
 
     TracerStatistics statistics() const;
+    /// The most memory that the tracer has had resident so far, bytes; 0 where it is not known.
+    std::size_t peak_memory() const { return process_ ? process_->peak_memory() : 0; }
     /// What was mended, a sentence each; the first hundred.
     const std::vector<std::string>& faults() const { return faults_; }
     /// The tracer's introduction; empty before the scene has come.

@@ -17,6 +17,7 @@
 #include <string_view>
 #include <thread>
 
+#include "adapter/process_memory.h"
 #include "core/error.h"
 
 extern char** environ;
@@ -159,6 +160,10 @@ TracerProcess::TracerProcess(const std::string& program, const std::vector<std::
 }
 
 TracerProcess::~TracerProcess() { stop(); }
+
+std::size_t TracerProcess::peak_memory() const {
+    return end_.empty() && pid_ > 0 ? peak_resident_memory(pid_) : 0;
+}
 
 std::size_t TracerProcess::send(std::span<const std::byte> bytes) {
     std::size_t sent = 0;

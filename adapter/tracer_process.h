@@ -74,6 +74,8 @@ class TracerProcess {
     /// Ends the child: by closing the wire, then asking (SIGTERM), then by force (SIGKILL), each
     /// after a short while. Returns how it ended, as in "the tracer ...". May be called again.
     const std::string& stop();
+    /// The most memory that it has had resident so far, bytes; 0 when it has gone.
+    std::size_t peak_memory() const;
     /// The child left by itself with this exit status, or -1. Known after stop().
     int exit_status() const { return exit_status_; }
 
