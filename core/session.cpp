@@ -53,6 +53,7 @@ bool Session::advance(std::chrono::nanoseconds patience) {
                 ++counts_.albedo;
                 break;
         }
+        counts_.cost_ns[static_cast<std::size_t>(sample.kind)] += sample.cost_ns;
         if (sample.failed) ++counts_.failed;
         previewer_.accept(sample);
         choose();

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <chrono>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <vector>
 
@@ -21,6 +23,8 @@ class Session {
     struct Counts {
         std::size_t full = 0, probe = 0, albedo = 0;  ///< answers accepted
         std::size_t failed = 0;                       ///< those of them without a value
+        /// What they cost the tracer, by RayKind: nanoseconds of one thread.
+        std::array<std::uint64_t, 3> cost_ns{};
     };
 
     /// Both must outlive the session.

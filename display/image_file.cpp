@@ -24,6 +24,10 @@ void write_image(const Image& linear, const std::filesystem::path& path, FileFor
     write_file(path, image_library().encoded_image(linear, format, path));
 }
 
+std::vector<unsigned char> encoded_image(const Image& linear, FileFormat format) {
+    return image_library().encoded_image(linear, format, "an image in memory");
+}
+
 Image read_image(const std::filesystem::path& path) { return image_library().read_image(path); }
 
 }  // namespace povpreview

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <vector>
 
 #include "display/image.h"
 
@@ -12,6 +13,7 @@ enum class FileFormat {
     png16,      ///< 16 bit a channel, sRGB-encoded
     exr_half,   ///< linear light, 16-bit float
     exr_float,  ///< linear light, 32-bit float
+    jpeg,       ///< 8 bit a channel, sRGB-encoded, lossy; for small files alone
 };
 
 /// What a path's extension asks for: png16 for ".png", exr_half for ".exr", in any case. Anything
@@ -26,6 +28,9 @@ void write_image(const Image& linear, const std::filesystem::path& path, FileFor
 inline void write_image(const Image& linear, const std::filesystem::path& path) {
     write_image(linear, path, format_for(path));
 }
+
+/// The bytes of the file that write_image() writes.
+std::vector<unsigned char> encoded_image(const Image& linear, FileFormat format);
 
 /// Reads an image as it stands in the file, without decoding: the channels of a PNG come as
 /// encoded values in [0, 1]. Grey becomes equal channels; alpha is left out.

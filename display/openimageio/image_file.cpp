@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <string_view>
 
 #include "core/colour.h"
 #include "core/error.h"
@@ -43,8 +44,12 @@ std::vector<unsigned char> compress(const Image& image, const char* extension,
     const auto output = OIIO::ImageOutput::create(extension);
     if (!output) throw failure(OIIO::geterror());
     OIIO::ImageSpec spec(image.width, image.height, 3, stored);
-    const bool png = stored == OIIO::TypeUInt8 || stored == OIIO::TypeUInt16;
-    spec.attribute("oiio:ColorSpace", png ? "sRGB" : "Linear");
+    const bool encoded = stored == OIIO::TypeUInt8 || stored == OIIO::TypeUInt16;
+    spec.attribute("oiio:ColorSpace", encoded ? "sRGB" : "Linear");
+    if (std::string_view(extension) == "jpg") {
+        spec.attribute("Compression", "jpeg:88");
+        spec.attribute("jpeg:subsampling", "4:4:4");  // else coloured edges are blurred
+    }
     OIIO::Filesystem::IOVecOutput memory;
     if (!output->set_ioproxy(&memory)) throw failure("the image library cannot write to memory");
     if (!output->open(extension, spec) || !output->write_image(given, data) || !output->close())
@@ -69,6 +74,9 @@ std::vector<unsigned char> encoded_image(const Image& linear, FileFormat format,
         case FileFormat::exr_float:
             return compress(linear, "exr", OIIO::TypeFloat, OIIO::TypeFloat, linear.pixels.data(),
                             path);
+        case FileFormat::jpeg:
+            return compress(linear, "jpg", OIIO::TypeUInt8, OIIO::TypeUInt8,
+                            quantise<std::uint8_t>(linear).data(), path);
     }
     return {};
 }

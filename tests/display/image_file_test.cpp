@@ -46,6 +46,21 @@ TEST(ImageFile, EveryPng16ValueComesBackExactly) {
             ASSERT_EQ(std::lround(back.pixels[static_cast<std::size_t>(code)][c] * 65535.f), code);
 }
 
+TEST(ImageFile, JpegIsCloseAlsoAtColouredEdges) {
+    const TemporaryFolder folder;
+    Image image(64, 48, glm::vec3(decode_srgb(.8f), 0, 0));
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 31; x < image.width; ++x) image.at(x, y) = glm::vec3(0, 0, decode_srgb(.7f));
+    const std::vector<unsigned char> bytes = encoded_image(image, FileFormat::jpeg);
+    EXPECT_LT(bytes.size(), 4000u);
+    write_file(folder / "a.jpg", bytes);
+    const Image back = read_image(folder / "a.jpg");
+    ASSERT_EQ(back.pixels.size(), image.pixels.size());
+    for (std::size_t i = 0; i < back.pixels.size(); ++i)
+        for (int c = 0; c < 3; ++c)
+            EXPECT_NEAR(back.pixels[i][c], display_encoded(image.pixels[i])[c], .05) << i;
+}
+
 TEST(ImageFile, RoundsHalvesUpAsPovRay) {
     // straight part of the curve: encoded = 12.92 linear, exactly half way between two codes
     const float half_way = 20.5f / 65535.f / 12.92f;
