@@ -12,10 +12,10 @@
 #include "core/error_measures.h"
 #include "core/mesh_previewer.h"
 #include "core/session.h"
-#include "display/caption.h"
-#include "display/image_file.h"
 #include "display/offscreen.h"
+#include "display/program/comparison_figures.h"
 #include "display/program/detail_pictures.h"
+#include "display/program/figure_sheet.h"
 #include "display/program/folder.h"
 #include "display/program/interrupt.h"
 #include "display/program/reference.h"
@@ -32,13 +32,6 @@ constexpr int samples_per_pixel = 4;
 /// Where nothing is said, one sample for so many pixels: a regular grid shows rough shapes by then,
 /// and refinement still has far to go.
 constexpr std::size_t pixels_per_sample = 100;
-
-/// What has to do with one letter of the figure.
-struct Part {
-    const char* name;
-    Image image;
-    std::string caption;
-};
 
 Image decoded(Image encoded) {
     for (glm::vec3& c : encoded.pixels) c = {decode_srgb(c.x), decode_srgb(c.y), decode_srgb(c.z)};
@@ -94,29 +87,6 @@ std::string count(const std::vector<EdgeChain>& edges) {
         counts[static_cast<std::size_t>(EdgeKind::reflection)]);
 }
 
-/// Three images a row, each above its caption.
-Image sheet(const std::vector<Part>& parts) {
-    constexpr std::size_t columns = 3;
-    std::vector<Image> rows;
-    int width = 0, height = 0;
-    for (std::size_t first = 0; first < parts.size(); first += columns) {
-        std::vector<Panel> panels;
-        for (std::size_t i = first; i < std::min(first + columns, parts.size()); ++i)
-            panels.push_back({parts[i].image, parts[i].caption});
-        rows.push_back(compose(panels));
-        width = std::max(width, rows.back().width);
-        height += rows.back().height;
-    }
-    Image all(width, height);
-    int y = 0;
-    for (const Image& row : rows) {
-        for (int j = 0; j < row.height; ++j)
-            std::copy_n(&row.at(0, j), row.width, &all.at(0, y + j));
-        y += row.height;
-    }
-    return all;
-}
-
 class Figures {
    public:
     explicit Figures(const FiguresOptions& options)
@@ -145,7 +115,7 @@ class Figures {
             draw_phases(scene);
         line_.clear();
         if (interrupted()) return Exit::interrupted;
-        write();
+        write_figure(parts_, options_.out);
         return Exit::success;
     }
 
@@ -244,24 +214,13 @@ class Figures {
         parts_.push_back({name, std::move(image), caption});
     }
 
-    void write() const {
-        for (const Part& part : parts_)
-            write_image(part.image, options_.out / (std::string(part.name) + ".png"));
-        write_image(sheet(parts_), options_.out / "figure.png", FileFormat::png8);
-        for (const Part& part : parts_) {
-            std::string line = part.caption;
-            std::replace(line.begin(), line.end(), '\n', ';');
-            fmt::print("{}\n", line);
-        }
-    }
-
     const FiguresOptions& options_;
     PovrayOptions povray_;
     Offscreen offscreen_;
     Image reference_;
     glm::ivec2 size_{};
     std::size_t traced_ = 0;  // by the latest of the two
-    std::vector<Part> parts_;
+    std::vector<FigurePart> parts_;
     ProgressLine line_;
 };
 
@@ -279,6 +238,8 @@ RegularGrid regular_grid(std::size_t samples, glm::ivec2 size) {
     return {share, std::size_t(cells(w)) * std::size_t(cells(h))};
 }
 
-Exit figures(const FiguresOptions& options) { return Figures(options).run(); }
+Exit figures(const FiguresOptions& options) {
+    return options.figure >= 3 ? comparison_figures(options) : Figures(options).run();
+}
 
 }  // namespace povpreview

@@ -9,7 +9,7 @@
 
 namespace povpreview {
 
-/// The first two figures of Pighin, Lischinski and Salesin (1997) for any scene. Writes a.png,
+/// The figures of Pighin, Lischinski and Salesin (1997) for any scene. Writes a.png,
 /// b.png ... and a sheet of all, figure.png. Throws Error.
 ///
 /// Figure 1: a the finished picture, b the preview from a plain triangulation of a regular grid of
@@ -20,6 +20,8 @@ namespace povpreview {
 /// textures known without tracing, d the surfaces of which only tracing can tell the texture, e all
 /// textures known in the end, f the first preview, g the DetailMap in the end, with its BF-squares,
 /// h the preview in the end.
+///
+/// Figures 3 and 4: see comparison_figures.h.
 Exit figures(const FiguresOptions& options);
 
 /// A regular grid over an image.

@@ -6,6 +6,7 @@
 
 #include "core/error.h"
 #include "core/methods.h"
+#include "display/program/method_run.h"
 
 namespace povpreview {
 namespace {
@@ -157,12 +158,16 @@ void read_preview(const std::vector<std::string>& words, CommandLine& result) {
 void read_compare(const std::vector<std::string>& words, CommandLine& result) {
     CompareOptions options;
     CLI::App app(
-        "Compares previewing methods against a complete render by the stock povray: error "
-        "over time in DIR/curves.csv, pictures at equal times beside it.\n\n"
-        "  povpreview compare [POV-Ray options] SCENE.pov --out DIR [options]",
+        "Compares previewing methods against complete renders by the stock povray. DIR/report.html "
+        "shows what came of it, DIR/curves.csv and DIR/summary.json tell it in numbers, DIR/SCENE "
+        "holds pictures at equal times.\n\n"
+        "  povpreview compare [POV-Ray options] SCENE.pov... --out DIR [options]\n\n"
+        "The first method is the one that the others are held against. stock-mosaic is the stock "
+        "povray itself with +SP32 +EP1.",
         "povpreview compare");
     app.set_help_flag("--help", "Show this text");
-    const auto methods = method_names();
+    auto methods = method_names();
+    methods.emplace_back(stock_mosaic_name);
     options.methods = methods;
     // Of interest to us alone: what the DetailMap is worth.
     std::erase(options.methods, "constrained");
@@ -172,6 +177,15 @@ void read_compare(const std::vector<std::string>& words, CommandLine& result) {
         ->delimiter(',')
         ->check(CLI::IsMember(methods))
         ->option_text("A,B,...");
+    app.add_option("--repeat", options.repeat,
+                   "Run each method so often, in rotated order; medians count (default 1)")
+        ->check(CLI::Range(1, 100))
+        ->option_text("N");
+    app.add_option("--threads", options.threads,
+                   "Threads that trace, and cores that each method has for everything (default: "
+                   "all of the machine)")
+        ->check(CLI::Range(1, 512))
+        ->option_text("N");
     add_time(app, options);
     add_common(app, options);
     parse(app, words, options.povray, result);
@@ -191,22 +205,28 @@ void read_figures(const std::vector<std::string>& words, CommandLine& result) {
         "Figure 2, the phases of the method: the finished picture, the first triangulation, the "
         "textures known without tracing, the surfaces of which only tracing can tell them, those "
         "textures as far as they were traced, the first preview, the DetailMap in the end, the "
-        "preview in the end.\n\n"
+        "preview in the end.\n"
+        "Figure 3, previewers compared: blocks, delaunay and mesh at four points in time.\n"
+        "Figure 4, the L1 errors of the three over time, in figure.svg.\n\n"
         "  povpreview figures [POV-Ray options] SCENE.pov --out DIR [options]",
         "povpreview figures");
     app.set_help_flag("--help", "Show this text");
     add_out(app, options);
-    app.add_option("--figure", options.figure, "1 (default) or 2")
-        ->check(CLI::Range(1, 2))
+    app.add_option("--figure", options.figure, "1 (default) to 4")
+        ->check(CLI::Range(1, 4))
         ->option_text("N");
     app.add_option("--samples", options.samples,
-                   "Full samples of each preview, about (default: one for a hundred pixels)")
+                   "Figures 1 and 2: full samples of each preview, about (default: one for a "
+                   "hundred pixels)")
         ->check(CLI::PositiveNumber)
         ->option_text("N");
     add_common(app, options);
     parse(app, words, options.povray, result);
     if (!result.text.empty()) return;
     check_out(options, "figures");
+    if (options.figure > 2 && options.samples)
+        throw Error(Exit::usage, "figures 3 and 4 go on until the picture is complete", "--samples",
+                    "leave it out");
     result.figures = std::move(options);
 }
 

@@ -29,12 +29,14 @@ struct PreviewOptions {
     double stall_timeout = 60;
 };
 
-/// What `povpreview compare SCENE.pov` was asked to do.
+/// What `povpreview compare SCENE.pov...` was asked to do.
 struct CompareOptions {
     std::vector<std::string> povray;
     std::filesystem::path out;
     std::vector<std::string> methods;
     std::optional<double> time;  ///< for each method; to completion if not given
+    int repeat = 1;              ///< runs of each method on each scene
+    int threads = 0;             ///< that trace, and cores for everything; 0: all of the machine
     int mirror_depth = 1;
     Backend backend = Backend::automatic;
     double stall_timeout = 60;
@@ -44,7 +46,7 @@ struct CompareOptions {
 struct FiguresOptions {
     std::vector<std::string> povray;
     std::filesystem::path out;
-    int figure = 1;                      ///< the paper's first or second
+    int figure = 1;                      ///< of the paper: 1 to 4
     std::optional<std::size_t> samples;  ///< of each preview; one for a hundred pixels if not given
     int mirror_depth = 1;                ///< see EdgeFinding
     Backend backend = Backend::automatic;

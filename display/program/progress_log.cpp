@@ -6,25 +6,9 @@
 #include <cstring>
 
 #include "core/error.h"
+#include "display/program/json_text.h"
 
 namespace povpreview {
-namespace {
-
-std::string json_string(const std::string& text) {
-    std::string quoted = "\"";
-    for (const char c : text) {
-        if (c == '"' || c == '\\')
-            quoted += {'\\', c};
-        else if (static_cast<unsigned char>(c) < 0x20)
-            quoted += fmt::format("\\u{:04x}", static_cast<unsigned>(c));
-        else
-            quoted += c;
-    }
-    return quoted + '"';
-}
-
-}  // namespace
-
 ProgressLog::ProgressLog(const std::filesystem::path& file) : file_(file), stream_(file) {
     if (!stream_)
         throw Error(Exit::usage, std::string("cannot write the log: ") + std::strerror(errno),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <fstream>
 
@@ -13,6 +14,8 @@ struct Standing {
     double time_s = 0;                            ///< since the end of the parse
     double launch_s = 0;                          ///< since the program was started
     std::size_t full = 0, probe = 0, albedo = 0;  ///< rays answered
+    /// What they cost the tracer, by RayKind: seconds of one thread.
+    std::array<double, 3> cost_s{};
     double busy = 0;  ///< share of the time since the parse that the tracer had work
     Statistics statistics;
 };

@@ -37,22 +37,26 @@ bool newer_than_all_beside(const fs::path& reference, const fs::path& scene) {
 }  // namespace
 
 Image stock_reference(const std::vector<std::string>& povray_words, const fs::path& folder,
-                      const std::function<bool()>& interrupted) {
+                      const std::function<bool()>& interrupted, Antialiasing antialiasing) {
     const PovrayOptions options = read_povray_options(povray_words);
-    const fs::path image = folder / "reference.png", half_made = folder / "reference.new.png",
-                   command = folder / "reference.txt";
+    const bool smooth = antialiasing == Antialiasing::on;
+    const std::string name = smooth ? "reference-aa" : "reference";
+    const fs::path image = folder / (name + ".png"), half_made = folder / (name + ".new.png"),
+                   command = folder / (name + ".txt");
+    std::vector<std::string> arguments = options.stock_arguments(half_made);
+    if (smooth)
+        for (const char* word : {"+A0.3", "+AM1", "+R3", "-J"}) arguments.emplace_back(word);
     std::string words;
-    for (const std::string& word : options.stock_arguments(half_made)) words += word + '\n';
+    for (const std::string& word : arguments) words += word + '\n';
     if (fs::exists(image) && text_of(command) == words &&
         newer_than_all_beside(image, options.scene))
         return read_image(image);
 
     ProgressLine line;
-    const bool complete =
-        render_by_stock_povray(options.stock_arguments(half_made), folder / "reference.log", [&] {
-            line.show("rendering the reference by the stock povray");
-            return interrupted();
-        });
+    const bool complete = render_by_stock_povray(arguments, folder / (name + ".log"), [&] {
+        line.show("rendering the reference by the stock povray");
+        return interrupted();
+    });
     line.clear();
     if (!complete) {
         std::error_code gone;

@@ -39,11 +39,19 @@ class StrategyRun {
                 .full = session_.counts().full,
                 .probe = session_.counts().probe,
                 .albedo = session_.counts().albedo,
+                .cost_s = cost_s(),
                 .busy = scene_.oracle().statistics().busy,
                 .statistics = previewer_->statistics()};
     }
 
    private:
+    std::array<double, 3> cost_s() const {
+        std::array<double, 3> seconds{};
+        for (std::size_t kind = 0; kind < seconds.size(); ++kind)
+            seconds[kind] = 1e-9 * double(session_.counts().cost_ns[kind]);
+        return seconds;
+    }
+
     void take_items() {
         if (!scene_.items_finished()) return;
         if (const ItemBuffer* items = scene_.items()) previewer_->accept_items(*items);

@@ -70,8 +70,18 @@ check "nine pictures" all_pictures tiles a b c d e f g h
 better_in_the_end() { awk -v f="$(error f)" -v h="$(error h)" 'BEGIN { exit !(h > 0 && h * 2 < f) }'; }
 check "refinement mends half of the first error" better_in_the_end
 check "figure 2 under a bent camera succeeds" figures bent.pov +W80 +H60 --out bent --figure 2
-figures room.pov --out d --figure 3
-check "there is no third figure" test $? = 2
+l1() { awk -F, -v m="$1" '$1 == m { l = $6 } END { print l + 0 }' four/curves.csv; }
+ends_exact() { awk -v a="$(l1 blocks)" -v b="$(l1 delaunay)" -v c="$(l1 mesh)" 'BEGIN { exit !(a < 1e-4 && b < 1e-4 && c < 1e-4) }'; }
+check "figure 3 succeeds" figures room.pov +W160 +H120 --out three --figure 3
+check "three pictures a row" test "$(grep -cE '^[a-l]: (blocks|delaunay|mesh)' out)" = "$(ls three/[a-l].png | wc -l)"
+check "its sheet" test -s three/figure.png
+check "figure 4 succeeds" figures room.pov +W160 +H120 --out four --figure 4
+check "a drawing" grep -q '</svg>' four/figure.svg
+check "its curves end at the finished picture" ends_exact
+figures room.pov --out d --figure 5
+check "there is no fifth figure" test $? = 2
+figures room.pov --out d --figure 3 --samples 100
+check "figure 3 knows no number of samples" test $? = 2
 figures missing.pov --out d
 check "a missing scene is the user's fault" test $? = 2
 figures room.pov --out /dev/null/d

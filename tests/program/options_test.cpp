@@ -34,7 +34,10 @@ TEST(CommandLine, CompareTakesAListOfMethods) {
     ASSERT_TRUE(line.compare);
     EXPECT_EQ(line.compare->methods, (std::vector<std::string>{"mesh", "blocks"}));
     EXPECT_EQ(line.compare->povray, std::vector<std::string>{"s.pov"});
-    EXPECT_EQ(read({"compare", "s.pov", "--out", "d"}).compare->methods.size(), 5u);
+    EXPECT_EQ(read({"compare", "s.pov", "--out", "d"}).compare->methods.size(), 6u);
+    EXPECT_EQ(read({"compare", "s.pov", "--out", "d"}).compare->repeat, 1);
+    EXPECT_EQ(read({"compare", "s.pov", "--out", "d", "--repeat", "3"}).compare->repeat, 3);
+    EXPECT_EQ(read({"compare", "s.pov", "--out", "d", "--threads", "2"}).compare->threads, 2);
 }
 
 TEST(CommandLine, FiguresTakeTheirOwnOptions) {
@@ -83,6 +86,9 @@ INSTANTIATE_TEST_SUITE_P(
         std::vector<const char*>{"figures", "s.pov", "--out", "d", "--samples", "0"},
         std::vector<const char*>{"figures", "s.pov", "--out", "d", "--mirror-depth", "-1"},
         std::vector<const char*>{"figures", "s.pov", "--out", "d", "--time", "1"},
+        std::vector<const char*>{"compare", "s.pov", "--out", "d", "--repeat", "0"},
+        std::vector<const char*>{"compare", "s.pov", "--out", "d", "--threads", "0"},
+        std::vector<const char*>{"s.pov", "--repeat", "2"},
         std::vector<const char*>{"compare", "s.pov", "--out", "d", "--methods", "x"}));
 
 }  // namespace
