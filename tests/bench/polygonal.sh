@@ -35,7 +35,7 @@ done < <(grep -v '^#' "$here/polygonal_scenes.txt")
 known_at_once() {
     local scene=$1 folder=$2 pixels samples
     shift 2
-    pixels=$(awk -F, '$1 == "delaunay" { n = $4 } END { print n }' "$folder/curves.csv")
+    pixels=$(awk -F, '$2 == "delaunay" { n = $7 } END { print n }' "$folder/curves.csv")
     for samples in $((pixels / 100)) $((pixels * 3 / 100)) $((pixels / 10)); do
         (cd "$(dirname "$scene")" && "$povpreview" figures "$(basename "$scene")" --out "$folder" \
             --samples "$samples" "$@") 2>"$folder/figures.err" |
@@ -146,11 +146,11 @@ FNR == 1 {
     scene = path[n - 1]
     next
 }
-$4 > 0 {
-    i = ++points[$1]
-    time[$1, i] = $2
-    full[$1, i] = $4
-    error[$1, i] = $7 + 1e-6
+$7 > 0 {
+    i = ++points[$2]
+    time[$2, i] = $5
+    full[$2, i] = $7
+    error[$2, i] = $14 + 1e-6
 }
 END {
     finish()

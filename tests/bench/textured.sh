@@ -19,27 +19,23 @@ examples=/usr/share/doc/povray/examples
 mkdir -p "$out"
 out=$(realpath "$out")
 
-curves=()
+scenes=()
 while read -r scene _; do
     case $scene in
-    */*) scene=$examples/$scene ;;
-    *) scene=$here/../../scenes/$scene ;;
+    */*) scenes+=("$examples/$scene") ;;
+    *) scenes+=("$here/../../scenes/$scene") ;;
     esac
-    name=$(basename "$scene" .pov)
-    if [ -z "${RESULTS_ONLY:-}" ]; then
-        # POV-Ray looks for includes where it is started, not beside the scene.
-        (cd "$(dirname "$scene")" && "$povpreview" compare "$(basename "$scene")" \
-            --methods mesh,constrained,delaunay,blocks,mosaic,bicubic --out "$out/$name" "$@" \
-            >"$out/$name.txt" 2>"$out/$name.err") ||
-            echo "$name failed: $(tail -n 1 "$out/$name.err")"
-    fi
-    [ -f "$out/$name/curves.csv" ] && curves+=("$out/$name/curves.csv")
 done < <(grep -v '^#' "$here/textured_scenes.txt")
+if [ -z "${RESULTS_ONLY:-}" ]; then
+    "$povpreview" compare "${scenes[@]}" \
+        --methods mesh,constrained,delaunay,blocks,mosaic,bicubic --out "$out" "$@" \
+        >/dev/null || true # what failed has said so
+fi
 
 awk -F, '
 # When the error fell to the level, between two points on logarithmic axes.
 function crossing(time, error, level) {
-    if (before != scene SUBSEP $1) return time
+    if (before != scene SUBSEP $2) return time
     return exp(log(before_time) + log(time / before_time) * \
         log(before_error / level) / log(before_error / error))
 }
@@ -49,16 +45,17 @@ function column(mine, other, key) {
     ++count[key]
     return sprintf(" %9.2f", other / mine)
 }
-FNR == 1 { n = split(FILENAME, path, "/"); scene = path[n - 1]; scenes[++total] = scene; next }
+FNR == 1 || $3 > 1 { next }
+$1 != scene { scene = $1; scenes[++total] = scene }
 {
     for (i = 1; i <= levels; ++i) {
-        key = scene SUBSEP $1 SUBSEP i
-        if ($7 > level[i]) delete reached[key]
-        else if (!(key in reached)) reached[key] = crossing($2, $7 + 1e-6, level[i])
+        key = scene SUBSEP $2 SUBSEP i
+        if ($14 > level[i]) delete reached[key]
+        else if (!(key in reached)) reached[key] = crossing($5, $14 + 1e-6, level[i])
     }
-    before = scene SUBSEP $1
-    before_time = $2
-    before_error = $7 + 1e-6
+    before = scene SUBSEP $2
+    before_time = $5
+    before_error = $14 + 1e-6
 }
 BEGIN { levels = split(".05 .02 .01 .005", level, " ") }
 END {
@@ -86,4 +83,4 @@ END {
         print ""
     }
     for (i = 1; i <= levels; ++i) if (lost[i] != "") print "lost at " level[i] ":" lost[i]
-}' "${curves[@]}"
+}' "$out/curves.csv"
