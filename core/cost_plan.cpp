@@ -24,9 +24,10 @@ constexpr double own_share = .05;
 }  // namespace
 
 CostPlan plan_by_cost(double sample_ns, std::size_t pixels) {
-    if (sample_ns <= 0) return {true, true, most_vertices};
-    const double all_ns = sample_ns * static_cast<double>(pixels);
-    CostPlan plan{all_ns > moment_ns, all_ns > edges_ns, most_vertices};
+    if (sample_ns <= 0) return {0, true, true, most_vertices};
+    CostPlan plan{sample_ns, false, false, most_vertices};
+    plan.outlines = plan.all_ns(pixels) > moment_ns;
+    plan.edges = plan.all_ns(pixels) > edges_ns;
     const double affordable = own_share * sample_ns / vertex_ns;
     while (plan.vertex_budget > affordable && plan.vertex_budget > least_vertices)
         plan.vertex_budget /= 2;

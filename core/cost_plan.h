@@ -7,6 +7,8 @@ namespace povpreview {
 
 /// How much work of our own a scene's samples deserve, by what they cost to trace.
 struct CostPlan {
+    /// What a sample costs the tracer, in nanoseconds of one thread; 0: not known.
+    double sample_ns;
     /// Trace outlines and keep them as constraints. Each probe waits for the one before it, so a
     /// scene that is complete in a moment is complete before its outlines are known.
     bool outlines;
@@ -15,6 +17,9 @@ struct CostPlan {
     bool edges;
     /// Vertices at most, as a share of the pixels; then the rest is filled.
     double vertex_budget;
+
+    /// What all pixels cost.
+    double all_ns(std::size_t pixels) const { return sample_ns * static_cast<double>(pixels); }
 };
 
 /// `sample_ns`: what a sample costs the tracer on average, in nanoseconds of one thread; 0 where it

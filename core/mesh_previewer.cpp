@@ -242,6 +242,7 @@ void MeshPreviewer::accept(const Sample& sample) {
     assert(!pending_.empty());
     const Pending pending = pending_.front();
     pending_.pop_front();
+    account(pending.use, sample);
     const bool usable = !sample.failed && finite(sample.colour);
     if (pending.use == Pending::Use::probe) {
         search_.accept(pending.surface, sample);

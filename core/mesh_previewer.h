@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <deque>
+#include <initializer_list>
 #include <memory>
 #include <span>
 #include <string>
@@ -73,6 +75,7 @@ class MeshPreviewer : public Previewer {
     bool done() const override;
     Picture picture(Overlay overlay) const override;
     Statistics statistics() const override;
+    std::vector<Stage> stages() const override;
 
     const Mesh& mesh() const { return mesh_; }
     /// Full samples of the first, regular grid.
@@ -93,6 +96,21 @@ class MeshPreviewer : public Previewer {
 
         static constexpr std::uint32_t any = 0xffffffff;
     };
+
+    // What is done for a scene, and what it took (mesh_stages.cpp).
+    struct Account {
+        std::size_t rays = 0;
+        std::uint64_t nanoseconds = 0;
+    };
+    void account(Pending::Use use, const Sample& sample);
+    Stage stage(std::string name, bool runs, std::string why,
+                std::initializer_list<Pending::Use> uses) const;
+    Stage triangulation_stage() const;
+    Stage outline_stage() const;
+    Stage edge_stage() const;
+    Stage albedo_stage() const;
+    Stage filling_stage() const;
+    double vertex_share() const;
 
     void lay_grid();
     void learn_cost(const Sample& sample);
@@ -178,7 +196,8 @@ class MeshPreviewer : public Previewer {
     std::size_t outline_rays_ = 0;           // spent on outlines
     std::size_t waiting_since_ = 0;          // full rays when the next round's first edge was taken
     std::vector<std::uint32_t> grid_costs_;  // of the first samples, nanoseconds
-    CostPlan plan_{false, true, plan_by_cost(0, 0).vertex_budget};  // until they are known
+    CostPlan plan_{0, false, true, plan_by_cost(0, 0).vertex_budget};  // until they are known
+    std::array<Account, 5> accounts_;                                  // by Pending::Use
     bool refining_ = true;
     VertexId recent_{0};  // a live vertex
 };

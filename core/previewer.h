@@ -11,6 +11,7 @@
 #include "core/image_edge.h"
 #include "core/oracle.h"
 #include "core/picture.h"
+#include "core/stage.h"
 
 namespace povpreview {
 
@@ -59,6 +60,9 @@ class Previewer {
     /// The picture as it stands. May be called at any time after the first answer.
     virtual Picture picture(Overlay overlay) const = 0;
     virtual Statistics statistics() const = 0;
+    /// What it does for this scene and what it leaves out, as soon as the first samples have told
+    /// what rays cost; empty before that, and for methods that have no such choice.
+    virtual std::vector<Stage> stages() const { return {}; }
 };
 
 }  // namespace povpreview

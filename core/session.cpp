@@ -34,33 +34,41 @@ void Session::submit() {
     requests_.clear();
 }
 
+void Session::accept(const Sample& sample) {
+    --outstanding_;
+    ++accepted_;
+    switch (sample.kind) {
+        case RayKind::full:
+            ++counts_.full;
+            break;
+        case RayKind::probe:
+            ++counts_.probe;
+            break;
+        case RayKind::albedo:
+            ++counts_.albedo;
+            break;
+    }
+    counts_.cost_ns[static_cast<std::size_t>(sample.kind)] += sample.cost_ns;
+    if (sample.failed) ++counts_.failed;
+    previewer_.accept(sample);
+}
+
 bool Session::advance(std::chrono::nanoseconds patience) {
+    const Clock::time_point begin = Clock::now();
     choose();  // finds nothing but on the first round, or after the limit was raised
     submit();
     answers_.clear();
+    const Clock::time_point asked = Clock::now();
     if (outstanding_ > 0) oracle_.collect(answers_, patience);
+    const Clock::time_point answered = Clock::now();
     for (const Sample& sample : answers_) {
-        --outstanding_;
-        ++accepted_;
-        switch (sample.kind) {
-            case RayKind::full:
-                ++counts_.full;
-                break;
-            case RayKind::probe:
-                ++counts_.probe;
-                break;
-            case RayKind::albedo:
-                ++counts_.albedo;
-                break;
-        }
-        counts_.cost_ns[static_cast<std::size_t>(sample.kind)] += sample.cost_ns;
-        if (sample.failed) ++counts_.failed;
-        previewer_.accept(sample);
+        accept(sample);
         choose();
         // The tracer need not wait until all that has come is dealt with.
         if (requests_.size() >= window() / submissions_per_window) submit();
     }
     submit();
+    own_ += (asked - begin) + (Clock::now() - answered);
     return outstanding_ > 0;
 }
 

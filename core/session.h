@@ -39,10 +39,14 @@ class Session {
     bool advance(std::chrono::nanoseconds patience);
 
     const Counts& counts() const { return counts_; }
+    /// Seconds spent on choosing samples and on their answers, without the waiting.
+    double own_s() const { return std::chrono::duration<double>(own_).count(); }
     std::size_t outstanding() const { return outstanding_; }
 
    private:
+    using Clock = std::chrono::steady_clock;
     std::size_t window() const;
+    void accept(const Sample& sample);
     void choose();
     void submit();
 
@@ -51,6 +55,7 @@ class Session {
     std::size_t full_limit_ = std::numeric_limits<std::size_t>::max();
     std::size_t full_asked_ = 0, accepted_ = 0, outstanding_ = 0;
     Counts counts_;
+    Clock::duration own_{};
     std::vector<Request> requests_;
     std::vector<Sample> answers_;
 };

@@ -26,8 +26,17 @@ constexpr double most_credit = 1024;
 
 }  // namespace
 
+bool AlbedoFetch::affordable() const { return price_ <= dearest_albedo; }
+
+void AlbedoFetch::set_price(double price) {
+    price_ = price;
+    if (!affordable()) return;
+    asked_.resize(squares_.squares());
+    fetched_.resize(squares_.pixels());
+}
+
 bool AlbedoFetch::tells(std::uint32_t p, std::uint32_t q, float jump, bool explained) {
-    if (jump < least_jump || price_ > dearest_albedo) return false;
+    if (jump < least_jump || !affordable()) return false;
     if (std::max(p, q) < DetailMap::unknown) {
         if (items_.size() <= std::max(p, q)) items_.resize(std::max(p, q) + 1);
         for (std::uint32_t item : {p, q}) {
@@ -46,7 +55,7 @@ bool AlbedoFetch::tells(std::uint32_t p, std::uint32_t q, float jump, bool expla
 }
 
 void AlbedoFetch::want(std::size_t square) {
-    if (asked_[square] || squares_.filling(square)) return;
+    if (!affordable() || asked_[square] || squares_.filling(square)) return;
     asked_[square] = true;
     wanted_.push_back(square);
 }

@@ -19,11 +19,13 @@ namespace povpreview {
 /// over its projection passes a threshold); one that is hardly lit never tells anything.
 class AlbedoFetch {
    public:
-    explicit AlbedoFetch(const BfSquares& squares)
-        : squares_(squares), asked_(squares.squares()), fetched_(squares.pixels()) {}
+    explicit AlbedoFetch(const BfSquares& squares) : squares_(squares) {}
 
     /// What an albedo ray costs against a full sample; until it is known none is worth it.
-    void set_price(double price) { price_ = price; }
+    void set_price(double price);
+    double price() const { return price_; }
+    /// Whether such rays are worth having anywhere; else nothing is ever wanted, nor allocated.
+    bool affordable() const;
 
     /// An edge that is refined, between two items (which may be one), `jump` its colour_distance();
     /// `explained`: the light hardly differs. Returns whether the albedo along it is wanted.

@@ -7,6 +7,7 @@
 #include "display/program/figures.h"
 #include "display/program/interrupt.h"
 #include "display/program/options.h"
+#include "display/program/plan.h"
 #include "display/program/preview.h"
 
 int main(int argc, char** argv) {
@@ -20,6 +21,7 @@ int main(int argc, char** argv) {
         catch_interrupts();
         return static_cast<int>(command.compare   ? compare(*command.compare)
                                 : command.figures ? figures(*command.figures)
+                                : command.plan    ? plan(*command.plan)
                                                   : preview(*command.preview));
     } catch (const Error& error) {
         fmt::print(stderr, "povpreview: {}\n", error.what());

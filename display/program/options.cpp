@@ -105,7 +105,8 @@ void read_preview(const std::vector<std::string>& words, CommandLine& result) {
         "percent of the work.\n\n"
         "  povpreview [POV-Ray options] SCENE.pov [options]\n"
         "  povpreview compare [POV-Ray options] SCENE.pov --out DIR [options]\n"
-        "  povpreview figures [POV-Ray options] SCENE.pov --out DIR [options]\n\n"
+        "  povpreview figures [POV-Ray options] SCENE.pov --out DIR [options]\n"
+        "  povpreview plan [POV-Ray options] SCENE.pov [--run]\n\n"
         "POV-Ray's own options (+W640 +H480 +Lpath Declare=x=1 file.ini ...) mean what they "
         "mean to povray.",
         "povpreview");
@@ -230,6 +231,19 @@ void read_figures(const std::vector<std::string>& words, CommandLine& result) {
     result.figures = std::move(options);
 }
 
+void read_plan(const std::vector<std::string>& words, CommandLine& result) {
+    PlanOptions options;
+    CLI::App app(
+        "Prints what a preview of the scene does and what it leaves out, and why.\n\n"
+        "  povpreview plan [POV-Ray options] SCENE.pov [--run]",
+        "povpreview plan");
+    app.set_help_flag("--help", "Show this text");
+    app.add_flag("--run", options.run, "Run the preview to its end, and tell what each part took");
+    add_common(app, options);
+    parse(app, words, options.povray, result);
+    if (result.text.empty()) result.plan = std::move(options);
+}
+
 }  // namespace
 
 CommandLine read_command_line(int argc, const char* const* argv) {
@@ -241,6 +255,9 @@ CommandLine read_command_line(int argc, const char* const* argv) {
     } else if (!words.empty() && words.front() == "figures") {
         words.erase(words.begin());
         read_figures(words, result);
+    } else if (!words.empty() && words.front() == "plan") {
+        words.erase(words.begin());
+        read_plan(words, result);
     } else {
         read_preview(words, result);
     }

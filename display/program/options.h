@@ -53,11 +53,21 @@ struct FiguresOptions {
     double stall_timeout = 60;
 };
 
-/// What the command line says: one of the three, or a text to print (help, version) and no more.
+/// What `povpreview plan SCENE.pov` was asked to do.
+struct PlanOptions {
+    std::vector<std::string> povray;
+    bool run = false;      ///< to the end, to tell what the stages took
+    int mirror_depth = 1;  ///< see EdgeFinding
+    Backend backend = Backend::automatic;
+    double stall_timeout = 60;
+};
+
+/// What the command line says: one of these, or a text to print (help, version) and no more.
 struct CommandLine {
     std::optional<PreviewOptions> preview;
     std::optional<CompareOptions> compare;
     std::optional<FiguresOptions> figures;
+    std::optional<PlanOptions> plan;
     std::string text;
 };
 

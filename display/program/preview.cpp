@@ -216,6 +216,11 @@ class Preview {
 
     void write_log() {
         log_->write(main_->standing());
+        if (!plan_logged_ && scene_->items_finished()) {
+            const std::vector<Stage> stages = main_->stages();
+            plan_logged_ = !stages.empty();
+            log_->write_plan(scene_->time_s(), stages);
+        }
         if (const auto report = scene_->take_edge_report())
             log_->write_event(scene_->time_s(), *report);
         if (const auto report = scene_->take_item_report())
@@ -264,6 +269,7 @@ class Preview {
     double next_log_ = 0, next_frame_ = 0;
     int snapshots_ = 0;
     std::size_t faults_logged_ = 0;
+    bool plan_logged_ = false;
 };
 
 }  // namespace

@@ -33,6 +33,12 @@ void ProgressLog::write_event(double time_s, const std::string& text) {
     put(fmt::format("{{\"time_s\":{:.4f},\"event\":{}}}\n", time_s, json_string(text)));
 }
 
+void ProgressLog::write_plan(double time_s, const std::vector<Stage>& stages) {
+    for (const Stage& stage : stages)
+        put(fmt::format("{{\"time_s\":{:.4f},\"stage\":{},\"runs\":{},\"why\":{}}}\n", time_s,
+                        json_string(stage.name), stage.runs, json_string(stage.why)));
+}
+
 void ProgressLog::put(const std::string& line) {
     stream_ << line << std::flush;
     if (!stream_)

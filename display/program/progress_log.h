@@ -29,6 +29,8 @@ class ProgressLog {
     void write(const Standing& standing);
     /// An event worth keeping, such as a fault of the tracer that was mended.
     void write_event(double time_s, const std::string& text);
+    /// What is done for the scene and what is left out.
+    void write_plan(double time_s, const std::vector<Stage>& stages);
 
    private:
     void put(const std::string& line);

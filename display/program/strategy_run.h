@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "core/methods.h"
 #include "core/session.h"
@@ -31,6 +32,18 @@ class StrategyRun {
         return session_.advance(patience);
     }
     const Previewer& previewer() const { return *previewer_; }
+    /// What is done for this scene and what is left out, why, and what it has taken; empty before
+    /// the first samples have told what rays cost.
+    std::vector<Stage> stages() const {
+        std::vector<Stage> all = previewer_->stages();
+        if (all.empty()) return all;
+        for (Stage& stage : all) {
+            if (stage.name == refinement_stage_name) stage.own_s = session_.own_s();
+            if (stage.name == edge_stage_name) scene_.complete(stage);
+        }
+        all.insert(all.begin(), scene_.item_stage());
+        return all;
+    }
     std::size_t samples() const { return session_.counts().full; }
 
     Standing standing() const {

@@ -67,6 +67,23 @@ std::string left_out(const Geometry& geometry) {
     return parts.empty() ? "nothing" : fmt::format("{}", fmt::join(parts, ", "));
 }
 
+/// "of the pixels 99.9 % known: 70 % of one colour ...".
+std::string known_pixels(const ItemBuffer& items) {
+    const auto share = [&](auto count) {
+        return 100. * double(count) / double(std::max<std::size_t>(1, items.surfaces.size()));
+    };
+    const auto of = [&](Look::Kind kind) {
+        return share(std::count(items.kinds.begin(), items.kinds.end(), kind));
+    };
+    const double unknown =
+        share(std::count(items.surfaces.begin(), items.surfaces.end(), ItemBuffer::unknown));
+    return fmt::format(
+        "of the pixels {:.2f} % known: {:.2f} % of one colour, {:.2f} % image maps and patterns, "
+        "{:.2f} % textures to be traced, {:.2f} % not told by their albedo",
+        100 - unknown, of(Look::Kind::plain), of(Look::Kind::image) + of(Look::Kind::pattern),
+        of(Look::Kind::traced), of(Look::Kind::mixed) - unknown);
+}
+
 }  // namespace
 
 Foreknowledge foreknowledge_for(const MethodNeeds& needs, int mirror_depth) {
@@ -174,26 +191,38 @@ void TracedScene::wait_for_foreknowledge(const std::function<bool()>& interrupte
     edges();
 }
 
+Stage TracedScene::item_stage() const {
+    Stage stage{.name = "item buffer", .runs = item_search_.has_value(), .why = {}};
+    stage.expected = 0;
+    if (!wants_items_) {
+        stage.why = "the method or the picture's size is without one";
+    } else if (!item_search_ || !item_search_->finished()) {
+        stage.why = "the scene has not come yet";
+    } else if (const ItemBuffer* items = item_search_->items()) {
+        stage.why = known_pixels(*items);
+        stage.own_s = item_search_->seconds();
+    } else {
+        stage.runs = false;
+        stage.why = why_not_straight(description_.camera);
+    }
+    return stage;
+}
+
+void TracedScene::complete(Stage& edges) const {
+    if (edges_too_late_) edges.why += "; refinement was over before all were found";
+    if (!edge_search_ || !edge_search_->finished()) return;
+    const EdgeSearch::Report& found = edge_search_->report();
+    if (!found.scene) edges.why = why_not_straight(description_.camera);
+    edges.runs = found.scene;
+    edges.own_s = found.seconds;
+}
+
 std::optional<std::string> TracedScene::take_item_report() {
     if (items_reported_ || !items_finished() || !item_search_) return std::nullopt;
     items_reported_ = true;
     if (!item_search_->items()) return "no item buffer: " + why_not_straight(description_.camera);
-    const ItemBuffer& items = *item_search_->items();
-    const auto share = [&](auto count) {
-        return 100. * double(count) / double(std::max<std::size_t>(1, items.surfaces.size()));
-    };
-    const auto of = [&](Look::Kind kind) {
-        return share(std::count(items.kinds.begin(), items.kinds.end(), kind));
-    };
-    const double unknown =
-        share(std::count(items.surfaces.begin(), items.surfaces.end(), ItemBuffer::unknown));
-    return fmt::format(
-        "item buffer drawn in {:.3f} s; of the pixels {:.2f} % known: {:.2f} % of one colour, "
-        "{:.2f} % image maps and patterns, {:.2f} % textures to be traced, {:.2f} % not told by "
-        "their albedo",
-        item_search_->seconds(), 100 - unknown, of(Look::Kind::plain),
-        of(Look::Kind::image) + of(Look::Kind::pattern), of(Look::Kind::traced),
-        of(Look::Kind::mixed) - unknown);
+    return fmt::format("item buffer drawn in {:.3f} s; {}", item_search_->seconds(),
+                       known_pixels(*item_search_->items()));
 }
 
 std::optional<std::string> TracedScene::take_edge_report() {

@@ -50,6 +50,9 @@ class TracedScene {
     bool items_finished();
     /// Waits until all of both are known, or `interrupted`.
     void wait_for_foreknowledge(const std::function<bool()>& interrupted);
+    /// The item buffer as a stage of a method, and what the edge search has to say of its own.
+    Stage item_stage() const;
+    void complete(Stage& edges) const;
     /// What there is to say about the item buffer when that is known, as a sentence; once.
     std::optional<std::string> take_item_report();
     /// What there is to say about them when all are known, as a sentence; once.
