@@ -21,8 +21,8 @@ recorded=$here/regression.csv
 examples=/usr/share/doc/povray/examples
 
 if [ -z "${RESULTS_ONLY:-}" ]; then
-    "$povpreview" compare +W320 +H240 "$here"/../../scenes/{office,still_life,image_maps}.pov \
-        "$examples"/advanced/{woodbox,teapot/teapot,abyss}.pov \
+    "$povpreview" compare +W320 +H240 "$here"/../../scenes/{office,image_maps,still_life}.pov \
+        "$examples"/advanced/woodbox.pov \
         --methods mesh,blocks,delaunay --repeat 3 --time 30 --out "$out" "$@" >/dev/null
 fi
 
@@ -47,7 +47,7 @@ FILENAME != "-" { if (FNR > 1) before[$1, $2, $3, $4] = $5; next }
 {
     was = before[$1, $2, $3, $4]
     printf "%-14s %-9s %-7s %6s %9.2f %9s%s\n", $1, $2, $3, $4, $5, was == "" ? "-" : sprintf("%.2f", was), \
-        was == "" ? "" : $5 < was / 1.25 ? "  worse" : $5 > was * 1.25 ? "  better" : ""
+        (was == "" ? "" : $5 < was / 1.25 ? "  worse" : ($5 > was * 1.25) ? "  better" : "")
     if (was != "") { sum[$2 " " $3] += log($5 / was); ++count[$2 " " $3] }
 }
 END {
