@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "tests/stability/check.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <future>
+#include <glm/common.hpp>
+
+#include "core/colour.h"
+#include "core/error.h"
+#include "core/error_measures.h"
+#include "core/mesh_previewer.h"
+#include "display/image_file.h"
+#include "display/offscreen.h"
+#include "display/program/reference.h"
+#include "display/program/strategy_run.h"
+#include "tests/end_to_end/real_tracer.h"
+
+namespace povpreview::stability {
+namespace {
+
+bool never() { return false; }
+
+bool finite(const glm::vec3& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+/// One preview, and the stock render beside it.
+class Check {
+   public:
+    Check(const Case& one, bool full, std::filesystem::path keep)
+        : case_(one), keep_(std::move(keep)), words_(one.words(full)) {
+        words_.push_back(folder_.write("scene.pov", case_.scene()));
+        reference_ = std::async(std::launch::async,
+                                [this] { return stock_reference(words_, folder_.path(), never); });
+    }
+
+    Outcome run() {
+        try {
+            preview();
+        } catch (const Error& error) {
+            refused(error);
+        }
+        return outcome_;
+    }
+
+   private:
+    void preview() {
+        TracedScene scene(
+            words_, 60, [](const std::string&) {}, never,
+            foreknowledge_for(method_needs("mesh"), 1));
+        StrategyRun run("mesh", scene, scene.oracle());
+        scene.wait_for_foreknowledge(never);
+        const double pixels = double(scene.description().width) * scene.description().height;
+        for (std::size_t i = 0; i < shares.size(); ++i) {
+            const bool last = i + 1 == shares.size();
+            if (!last)
+                run.session().limit_full(std::max<std::size_t>(1, std::size_t(shares[i] * pixels)));
+            else
+                run.session().limit_full(std::numeric_limits<std::size_t>::max());
+            while (run.advance(std::chrono::milliseconds(20))) {
+            }
+            look(run, scene, i);
+        }
+        outcome_.seconds = scene.time_s();
+        outcome_.contradicted = run.previewer().statistics().contradicted;
+        if (!run.previewer().done()) blame("it ended before it was complete");
+        for (const std::string& fault : scene.oracle().faults()) note(fault);
+    }
+
+    /// Validates and measures what there is at a share, off the clock.
+    void look(StrategyRun& run, TracedScene& scene, std::size_t i) {
+        scene.off_the_clock([&] {
+            const auto& mesh = dynamic_cast<const MeshPreviewer&>(run.previewer());
+            if (const std::string fault = mesh.validate(); !fault.empty())
+                blame(fmt::format("at {:g} %: {}", shares[i] * 100, fault));
+            const Image image = offscreen().render(
+                mesh.picture(Overlay::none), scene.description().width, scene.description().height);
+            const auto lost = std::count_if(image.pixels.begin(), image.pixels.end(),
+                                            [](const glm::vec3& pixel) { return !finite(pixel); });
+            if (lost > 0)
+                blame(fmt::format("at {:g} %: {} pixels not finite", shares[i] * 100, lost));
+            if (!keep_.empty()) keep_picture(image, i);
+            measure(image, i);
+        });
+    }
+
+    void measure(const Image& image, std::size_t i) {
+        const Image& reference = stock();
+        outcome_.l1[i] = measure_error(image.pixels, reference.pixels).l1;
+        if (i > 0 && outcome_.l1[i] > growth_factor * outcome_.l1[i - 1] + growth_step)
+            blame(fmt::format("the error grew from {:.4f} at {:g} % to {:.4f} at {:g} %",
+                              outcome_.l1[i - 1], shares[i - 1] * 100, outcome_.l1[i],
+                              shares[i] * 100));
+        if (i + 1 < shares.size()) return;
+        std::size_t off = 0, first = 0;
+        for (std::size_t p = 0; p < image.pixels.size(); ++p) {
+            const glm::vec3 d = glm::abs(display_encoded(image.pixels[p]) - reference.pixels[p]);
+            const double worst = std::max({d.x, d.y, d.z});
+            outcome_.worst = std::max(outcome_.worst, worst);
+            if (worst > pixel_step && off++ == 0) first = p;
+        }
+        outcome_.differing = double(off) / double(image.pixels.size());
+        if (outcome_.differing > case_.series->leave.differing)
+            blame(fmt::format("{} pixels are not the stock render's, the first at {}, {}", off,
+                              first % std::size_t(image.width), first / std::size_t(image.width)));
+        else if (off > 0)
+            note(fmt::format("{} pixels off: {}", off, case_.series->leave.because));
+    }
+
+    /// What our tracer refuses, the stock povray must refuse too.
+    void refused(const Error& error) {
+        if (error.exit() != Exit::scene) return blame(error.what());
+        try {
+            stock();
+            blame(std::string("refused, but not by the stock povray: ") + error.what());
+        } catch (const Error&) {
+            if (case_.series->leave.refused)
+                note(std::string("refused: ") + error.what());
+            else
+                blame(error.what());
+        }
+    }
+
+    void keep_picture(const Image& image, std::size_t i) {
+        std::string name = case_.name();
+        std::replace(name.begin(), name.end(), '/', '-');
+        write_image(image, keep_ / fmt::format("{}-{:03.0f}.png", name, shares[i] * 100),
+                    FileFormat::png8);
+        if (i == 0) {
+            Image linear = stock();
+            for (glm::vec3& pixel : linear.pixels)
+                for (int c = 0; c < 3; ++c) pixel[c] = decode_srgb(pixel[c]);
+            write_image(linear, keep_ / (name + "-stock.png"), FileFormat::png8);
+        }
+    }
+
+    const Image& stock() {
+        if (reference_.valid()) stock_ = reference_.get();
+        return stock_;
+    }
+    Offscreen& offscreen() {
+        if (!offscreen_) offscreen_.emplace(open_offscreen(Backend::automatic));
+        return *offscreen_;
+    }
+    void blame(const std::string& fault) {
+        if (outcome_.fault.empty()) outcome_.fault = fault;
+    }
+    void note(const std::string& text) {
+        outcome_.note += (outcome_.note.empty() ? "" : "; ") + text;
+    }
+
+    const Case& case_;
+    std::filesystem::path keep_;
+    WorkFolder folder_;
+    std::vector<std::string> words_;
+    std::future<Image> reference_;
+    Image stock_;
+    std::optional<Offscreen> offscreen_;
+    Outcome outcome_;
+};
+
+}  // namespace
+
+Outcome check(const Case& one, bool full, const std::filesystem::path& keep) {
+    return Check(one, full, keep).run();
+}
+
+}  // namespace povpreview::stability
