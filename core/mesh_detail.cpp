@@ -127,7 +127,7 @@ std::optional<Request> MeshPreviewer::next_albedo() {
 }
 
 void MeshPreviewer::accept_albedo(Pixel pixel, const Sample& sample) {
-    if (!cost_known()) trial_costs_.push_back(sample.cost_ns);
+    if (!cost_known()) trial_costs_.push_back(options_.by_cost ? sample.cost_ns : 0);
     detail_to_change().accept_albedo(pixel, sample, items_);
 }
 

@@ -103,7 +103,7 @@ void MeshPreviewer::lay_grid() {
 /// The first samples tell what the rest will cost.
 void MeshPreviewer::learn_cost(const Sample& sample) {
     if (cost_known()) return;
-    grid_costs_.push_back(sample.cost_ns);
+    grid_costs_.push_back(options_.by_cost ? sample.cost_ns : 0);
     if (!cost_known()) return;
     const double full_ns = usual_cost(grid_costs_);
     plan_ = plan_by_cost(full_ns, squares_.pixels());

@@ -26,6 +26,8 @@ struct MeshOptions {
     bool constraints = true;
     /// Use what is known of each pixel: the paper's DetailMap.
     bool detail = true;
+    /// Plan by what the first samples cost; else as where that is not known.
+    bool by_cost = true;
     WeightKind weight = WeightKind::area;
     /// An outline is traced where an edge of the mesh jumps by more than this (square root of the
     /// paper's colour distance, on encoded colour) ...

@@ -27,6 +27,9 @@ struct ImageFrame {
     /// A sample is the light along one ray; false under focal blur, where it is a mean of many, and
     /// the surface that one of them met says little.
     bool sharp = true;
+    /// What rays cost may decide what is asked for. False: as if that were never known, so that
+    /// equal scenes give equal runs whatever the machine does beside.
+    bool by_cost = true;
 };
 
 /// `name` is one of method_names().

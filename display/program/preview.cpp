@@ -52,10 +52,10 @@ class Preview {
             [&](const std::string& what) { line_.show(what); }, interrupted, foreknowledge());
         open_window();
         lanes_.emplace(scene_->oracle());
-        main_.emplace(options_.method, *scene_, lanes_->lane(0));
+        main_.emplace(options_.method, *scene_, lanes_->lane(0), !options_.samples);
         if (!options_.log.empty()) log_.emplace(options_.log);
         // A run of so many samples shall come out the same each time, however fast all that is
-        // found.
+        // found, and whatever rays take.
         if (options_.samples) scene_->wait_for_foreknowledge([this] { return stopped_early(); });
         while (work()) look();
         finish();
@@ -107,7 +107,8 @@ class Preview {
         if (options_.samples) main_->session().limit_full(*options_.samples);
         going_ = main_->advance(2ms);
         if (beside_wanted()) {
-            if (!beside_) beside_.emplace(beside_method(), *scene_, lanes_->lane(1));
+            if (!beside_)
+                beside_.emplace(beside_method(), *scene_, lanes_->lane(1), !options_.samples);
             beside_->session().limit_full(main_->samples());
             going_ |= beside_->advance(0ms) && beside_->samples() < main_->samples();
         }

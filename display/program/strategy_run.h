@@ -15,9 +15,10 @@ namespace povpreview {
 /// One method at work on a scene.
 class StrategyRun {
    public:
-    StrategyRun(const std::string& method, TracedScene& scene, SampleOracle& oracle)
+    StrategyRun(const std::string& method, TracedScene& scene, SampleOracle& oracle,
+                bool by_cost = true)
         : scene_(scene),
-          previewer_(make_previewer(method, scene.frame())),
+          previewer_(make_previewer(method, scene.frame(by_cost))),
           session_(*previewer_, oracle),
           wants_edges_(previewer_->wants_edges()),
           wants_items_(previewer_->wants_items()) {

@@ -108,8 +108,9 @@ TracedScene::TracedScene(std::vector<std::string> povray_arguments, double stall
         wants_items_ && std::int64_t{description_.width} * description_.height <= most_item_pixels;
 }
 
-ImageFrame TracedScene::frame() const {
-    return {description_.width, description_.height, description_.camera.blur_samples == 0};
+ImageFrame TracedScene::frame(bool by_cost) const {
+    return {description_.width, description_.height, description_.camera.blur_samples == 0,
+            by_cost};
 }
 
 /// Both searches begin with the scene as it can be drawn; that is made once, in a thread of its

@@ -36,7 +36,7 @@ class TracedScene {
 
     PovrayOracle& oracle() { return oracle_; }
     const SceneDescription& description() const { return description_; }
-    ImageFrame frame() const;
+    ImageFrame frame(bool by_cost = true) const;
 
     /// The edges known by now without tracing, in the order of their coming. They are found beside
     /// everything else, as soon as the geometry has come.

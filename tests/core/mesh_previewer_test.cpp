@@ -340,5 +340,29 @@ TEST(RefinementHeap, GivesTheHeaviestFirstAndBreaksTiesByVertex) {
     EXPECT_FALSE(heap.pop());
 }
 
+/// All that is asked for when rays cost so much, until 2,000 full samples.
+std::vector<Request> asked_at_cost(std::uint32_t full_ns, bool by_cost) {
+    FunctionImage image = images::still_life(160, 120);
+    image.full_ns = full_ns;
+    image.albedo_ns = full_ns / 20;
+    MeshOptions options;
+    options.by_cost = by_cost;
+    MeshPreviewer previewer(160, 120, options);
+    FunctionOracle oracle(image, 7);
+    run(previewer, oracle, 2000);
+    return oracle.asked;
+}
+bool equal(const std::vector<Request>& p, const std::vector<Request>& q) {
+    return std::equal(p.begin(), p.end(), q.begin(), q.end(),
+                      [](const Request& a, const Request& b) {
+                          return a.position == b.position && a.kind == b.kind;
+                      });
+}
+
+TEST(Costs, DecideNothingWhereTheyShallNot) {
+    EXPECT_TRUE(equal(asked_at_cost(10, false), asked_at_cost(1'000'000, false)));
+    EXPECT_FALSE(equal(asked_at_cost(10, true), asked_at_cost(1'000'000, true)));
+}
+
 }  // namespace
 }  // namespace povpreview

@@ -70,13 +70,17 @@ wait $pid
 [ $? -eq 130 ] && [ -s cut.png ] && grep -q 'cut.png' err
 report $? "Ctrl-C saves the picture and exits with 130"
 
-# A tracer killed while sampling is started again; the picture is the same.
+# A tracer killed while sampling is started again; the picture is the same. That it samples, the log
+# tells: a death before that ends the run.
 "$povpreview" +W160 +H120 slow.pov --headless --output whole.png >out 2>err </dev/null
-"$povpreview" +W160 +H120 slow.pov --headless --output mended.png --log log >out 2>err </dev/null &
+timeout 120 "$povpreview" +W160 +H120 slow.pov --headless --output mended.png --log log >out 2>err </dev/null &
 pid=$!
-for _ in 1 2; do
-    sleep 1
-    pkill -KILL -P $pid
+for deaths in 0 1; do
+    for _ in $(seq 600); do
+        [ "$(grep -c '"event".*again' log 2>/dev/null)" = $deaths ] && grep -q '"full"' log && break
+        sleep .1
+    done
+    pkill -KILL -P "$(pgrep -P $pid)"
 done
 wait $pid
 [ $? -eq 0 ] && cmp -s whole.png mended.png

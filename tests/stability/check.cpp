@@ -51,7 +51,7 @@ class Check {
         TracedScene scene(
             words_, 60, [](const std::string&) {}, never,
             foreknowledge_for(method_needs("mesh"), 1));
-        StrategyRun run("mesh", scene, scene.oracle());
+        StrategyRun run("mesh", scene, scene.oracle(), false);
         scene.wait_for_foreknowledge(never);
         const double pixels = double(scene.description().width) * scene.description().height;
         for (std::size_t i = 0; i < shares.size(); ++i) {

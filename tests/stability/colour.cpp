@@ -51,13 +51,22 @@ light_source { <-5, 8, -6>, K / 10 }
 plane { y, 0 pigment { checker rgb <1, K, 1>, rgb <.2, .3, .4> } }
 box { <-1.5, 0, 0>, <-.5, 1.5, 1> pigment { rgb <K, 1, .5> } }
 sphere { <1, .7, 0>, .7 pigment { rgb 1 } finish { ambient K * .1 } })"},
-        {"colour", "not_finite", "functions divided by zero", "numerator", {0, 1}, {-1, 1e300}, R"(
+        {"colour",
+         "not_finite",
+         "functions divided by zero",
+         "numerator",
+         {0, 1},
+         {-1, 1e300},
+         R"(
 camera { location <0, 2, -5> look_at <0, .7, 0> }
 light_source { <5, 8, -6>, 1 }
 plane { y, 0 pigment { function { select(x, K / (x - x), z) } color_map { [0 rgb 1] [1 rgb x] } } }
 box { <-1.5, 0, 0>, <-.5, 1.5, 1> pigment { rgb <.3, .5, 1> * (1 + K * 1e300) } }
 sphere { <1, .7, 0>, .7 pigment { function { sqrt(-1 - y) * K } } }
-torus { .5, .1 translate <0, 1, -1> pigment { function { pow(y - 5, .5 + K) } } })"},
+torus { .5, .1 translate <0, 1, -1> pigment { function { pow(y - 5, .5 + K) } } })",
+         "",
+         {.differing = .05,
+          .because = "a pixel that is no number shows what is around it; POV-Ray shows black"}},
         {"colour",
          "highlight",
          "highlights smaller than a pixel",

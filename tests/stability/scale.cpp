@@ -14,7 +14,7 @@ std::vector<Series> scale_series() {
          {1e-9, 1e-4, 1e4, 1e9},
          {1e-6, 1e-2, 1, 1e2, 1e6},
          R"(
-camera { location <1, 2, -6> * K look_at <0, .7, 0> * K }
+camera { location <1, 2, -6> * K direction vnormalize(<-1, -1.3, 6>) right x * 4 / 3 up y }
 light_source { <5, 8, -6> * K, 1 }
 plane { y, 0 pigment { checker rgb 1, rgb .3 } scale K }
 box { <-1.5, 0, 0>, <-.3, 1.2, 1> pigment { rgb <.3, .5, 1> } rotate y * 20 scale K }
