@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <new>
 
 #include "display/program/compare.h"
 #include "display/program/figures.h"
@@ -26,6 +27,11 @@ int main(int argc, char** argv) {
     } catch (const Error& error) {
         fmt::print(stderr, "povpreview: {}\n", error.what());
         return static_cast<int>(error.exit());
+    } catch (const std::bad_alloc&) {
+        fmt::print(stderr,
+                   "povpreview: there is no memory left; end other programs, or raise the "
+                   "limit (ulimit -v)\n");
+        return static_cast<int>(Exit::usage);
     } catch (const std::exception& error) {
         fmt::print(stderr, "povpreview: {}; please report it with the scene\n", error.what());
         return static_cast<int>(Exit::tracer);

@@ -2,9 +2,12 @@
 #include "display/program/preview.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <array>
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <optional>
 
 #include "adapter/povray_options.h"
@@ -57,7 +60,12 @@ class Preview {
         // A run of so many samples shall come out the same each time, however fast all that is
         // found, and whatever rays take.
         if (options_.samples) scene_->wait_for_foreknowledge([this] { return stopped_early(); });
-        while (work()) look();
+        try {
+            while (work()) look();
+        } catch (const Error&) {
+            rescue();
+            throw;
+        }
         finish();
         return interrupted() ? Exit::interrupted : Exit::success;
     }
@@ -67,9 +75,19 @@ class Preview {
 
     /// Refuses what could not be written in the end, before hours of work.
     void check_outputs() {
-        if (!options_.output.empty()) format_for(options_.output);
+        if (!options_.output.empty()) {
+            format_for(options_.output);
+            check_folder(options_.output);
+        }
         if (!options_.snapshots.empty()) make_folder(options_.snapshots, "--snapshots");
         if (!options_.reference.empty()) reference_ = read_image(options_.reference);
+    }
+
+    static void check_folder(const std::filesystem::path& file) {
+        const std::filesystem::path folder = std::filesystem::absolute(file).parent_path();
+        if (access(folder.c_str(), W_OK | X_OK) != 0)
+            throw Error(Exit::usage, std::string("cannot write there: ") + std::strerror(errno),
+                        folder.string(), "give --output a file in a folder that you may write");
     }
 
     void open_window() {
@@ -151,7 +169,7 @@ class Preview {
     }
 
     void look_at_window(double now) {
-        if (window_->take_save_request()) save();
+        if (window_->take_save_request()) try_to_save();
         if (now >= next_frame_) {
             const Overlay overlay = window_->controls().overlay;
             window_->show(main_->previewer().picture(overlay), caption(*main_));
@@ -238,9 +256,39 @@ class Preview {
     }
 
     void save() {
-        write_image(draw(*main_), output());
+        write(draw(*main_));
         line_.clear();
         fmt::print(stderr, "povpreview: saved {}\n", output().string());
+    }
+
+    /// Where that cannot be written any more (the disk is full, the folder gone), the picture goes
+    /// where temporary files go, and the Error says so.
+    void write(const Image& image) const {
+        try {
+            write_image(image, output());
+        } catch (const Error& error) {
+            const std::filesystem::path elsewhere =
+                std::filesystem::temp_directory_path() /
+                fmt::format("povpreview-{}-{}", getpid(), output().filename().string());
+            write_image(image, elsewhere);
+            throw Error(error.exit(), error.what(), "",
+                        "the picture is in " + elsewhere.string() + " instead");
+        }
+    }
+
+    /// Saves while something else goes on: a failure is told, and no more.
+    void try_to_save() {
+        try {
+            save();
+        } catch (const Error& error) {
+            line_.clear();
+            fmt::print(stderr, "povpreview: {}\n", error.what());
+        }
+    }
+
+    /// What was traced is not lost with the tracer, nor with the log.
+    void rescue() {
+        if (main_ && main_->samples() > 0) try_to_save();
     }
 
     void finish() {

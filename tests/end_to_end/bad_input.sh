@@ -8,6 +8,7 @@ povpreview=$1
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work" || exit 1
+export TMPDIR=$work # where a picture goes that cannot be written where it should
 failures=0
 
 report() {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 //
 // Writes the fuzzer's seeds, one file for each kind of report, into the folder given. To be run
-// again when wire.fbs changes: make_fuzz_corpus tests/fuzz/corpus
+// again when wire.fbs changes: make_fuzz_corpus tests/fuzz/corpus/wire
 #include <fstream>
 #include <iostream>
 #include <string>

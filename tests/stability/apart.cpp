@@ -12,6 +12,7 @@
 #include <cstring>
 #include <fstream>
 #include <map>
+#include <optional>
 #include <thread>
 
 #include "core/error.h"
@@ -88,6 +89,16 @@ Outcome outcome_of(const Child& child, int status, const rusage& usage, const Li
     return outcome;
 }
 
+/// Their tracers die with them.
+void kill_late(std::map<pid_t, Child>& running, double limit_s) {
+    for (auto& [pid, child] : running) {
+        if (child.killed || Clock::now() - child.started < std::chrono::duration<double>(limit_s))
+            continue;
+        child.killed = true;
+        kill(pid, SIGKILL);
+    }
+}
+
 }  // namespace
 
 std::string to_line(const Outcome& o) {
@@ -96,12 +107,14 @@ std::string to_line(const Outcome& o) {
                        o.fault, o.note);
 }
 
-std::vector<Outcome> check_apart(const std::vector<Case>& all, bool full,
-                                 const std::filesystem::path& keep, const Limits& limits) {
+void check_apart(const std::vector<Case>& all, bool full, const std::filesystem::path& keep,
+                 const Limits& limits,
+                 const std::function<void(const Case&, const Outcome&)>& report) {
     const WorkFolder folder;
-    std::vector<Outcome> outcomes(all.size());
+    std::vector<std::optional<Outcome>> outcomes(all.size());
     std::map<pid_t, Child> running;
-    for (std::size_t next = 0; next < all.size() || !running.empty();) {
+    std::size_t next = 0, reported = 0;
+    while (reported < all.size()) {
         while (next < all.size() && running.size() < limits.jobs) {
             Child child{next, folder.path() / std::to_string(next)};
             running.emplace(spawn(all[next], full, keep, child.output), child);
@@ -109,22 +122,17 @@ std::vector<Outcome> check_apart(const std::vector<Case>& all, bool full,
         }
         int status = 0;
         rusage usage{};
-        if (const pid_t pid = wait4(-1, &status, WNOHANG, &usage); pid > 0) {
-            const auto child = running.find(pid);
-            if (child == running.end()) continue;
+        const pid_t pid = wait4(-1, &status, WNOHANG, &usage);
+        if (const auto child = running.find(pid); child != running.end()) {
             outcomes[child->second.index] = outcome_of(child->second, status, usage, limits);
             running.erase(child);
-            continue;
+        } else {
+            kill_late(running, limits.limit_s);
+            std::this_thread::sleep_for(std::chrono::milliseconds(10));
         }
-        for (auto& [pid, child] : running)
-            if (!child.killed &&
-                Clock::now() - child.started > std::chrono::duration<double>(limits.limit_s)) {
-                child.killed = true;
-                kill(pid, SIGKILL);  // its tracer dies with it
-            }
-        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+        for (; reported < all.size() && outcomes[reported]; ++reported)
+            report(all[reported], *outcomes[reported]);
     }
-    return outcomes;
 }
 
 }  // namespace povpreview::stability

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <filesystem>
+#include <functional>
 #include <string>
 
 #include "tests/stability/series.h"
@@ -44,8 +45,10 @@ struct Limits {
     long limit_kib;
     unsigned jobs;
 };
-std::vector<Outcome> check_apart(const std::vector<Case>& all, bool full,
-                                 const std::filesystem::path& keep, const Limits& limits);
+/// `report` is called for each, in their order, as soon as it and all before it are known.
+void check_apart(const std::vector<Case>& all, bool full, const std::filesystem::path& keep,
+                 const Limits& limits,
+                 const std::function<void(const Case&, const Outcome&)>& report);
 
 /// An outcome as a line for check_apart() to read.
 std::string to_line(const Outcome& outcome);

@@ -49,20 +49,21 @@ void print_row(const Case& one, const Outcome& o) {
                name.substr(0, name.find('@')),
                fmt::format("{} = {:g}", one.series->parameter, one.value), o.l1[0], o.l1[1],
                o.l1[2], o.l1[3], o.worst, o.contradicted, o.seconds, o.peak_kib / 1024, verdict);
+    std::fflush(stdout);
 }
 
 int check_all(const Options& options) {
     const std::vector<Case> all = cases(options.full, options.prefixes);
     if (!options.keep.empty()) make_folder(options.keep, "--keep");
     const Limits limits{options.full ? 600. : 60., 2048L * 1024, options.jobs};
-    const std::vector<Outcome> outcomes = check_apart(all, options.full, options.keep, limits);
     fmt::print("{:<34} {:<36} {:>6} {:>6} {:>6} {:>6} {:>5} {:>6} {:>6} {:>5}  {}\n", "case",
                "condition", "1%", "5%", "25%", "100%", "worst", "contra", "s", "MiB", "verdict");
     int failed = 0;
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        print_row(all[i], outcomes[i]);
-        failed += !outcomes[i].fault.empty();
-    }
+    check_apart(all, options.full, options.keep, limits,
+                [&](const Case& one, const Outcome& outcome) {
+                    print_row(one, outcome);
+                    failed += !outcome.fault.empty();
+                });
     fmt::print("{} cases, {} failed\n", all.size(), failed);
     return failed > 0 || all.empty() ? 1 : 0;
 }
