@@ -120,6 +120,7 @@ std::optional<DrawableScene> drawable_scene(const Geometry& geometry,
     std::optional<DrawableScene> result = drawable_polygons(geometry, scene);
     if (!result) return std::nullopt;
     result->solids = geometry.solids;
+    result->numbers = geometry.numbers;
     result->conditions = geometry.conditions;
     result->pieces = geometry.pieces;
     result->objects = geometry.objects;

@@ -42,6 +42,7 @@ struct Geometry {
     std::vector<glm::vec2> corner_uvs;  ///< beside `corners`; or none
 
     std::vector<Solid> solids;  ///< as these are in a DrawableScene
+    std::vector<double> numbers;
     std::vector<ConditionStep> conditions;
     std::vector<CurvedPiece> pieces;
     std::vector<CurvedObject> objects;

@@ -28,8 +28,12 @@ void Geometry::append(const Geometry& other) {
         corner_uvs.resize(corners.size());
     }
     const std::uint32_t first_solid = size32(solids.size()), first_step = size32(conditions.size()),
-                        first_piece = size32(pieces.size());
-    add_all(solids, other.solids);
+                        first_piece = size32(pieces.size()), first_number = size32(numbers.size());
+    for (Solid solid : other.solids) {
+        solid.first_number += first_number;
+        solids.push_back(solid);
+    }
+    add_all(numbers, other.numbers);
     for (const ConditionStep step : other.conditions)
         conditions.push_back(step < 0 ? step : step + static_cast<ConditionStep>(first_solid));
     for (CurvedPiece piece : other.pieces) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <optional>
 #include <span>
 #include <type_traits>
 #include <utility>
@@ -89,22 +90,46 @@ glm::dmat4x3 frame(const wire::Frame& from) {
 
 Bounds box(const wire::Box& from) { return {vec3(from.low()), vec3(from.high())}; }
 
+/// How many coefficients a solid has; those of the other kinds have a list.
+std::optional<std::uint32_t> coefficient_count(Solid::Kind kind) {
+    switch (kind) {
+        case Solid::Kind::quadric:
+            return 10;
+        case Solid::Kind::torus:
+            return 1;
+        case Solid::Kind::superellipsoid:
+            return 2;
+        case Solid::Kind::prism:
+        case Solid::Kind::conic_prism:
+        case Solid::Kind::lathe:
+        case Solid::Kind::blob:
+            return std::nullopt;
+        default:
+            return 0;
+    }
+}
+
+/// Lists are taken as they are: what makes no sense of them cannot be drawn (see is_sound()).
 void read_solids(const wire::Geometry& from, Geometry& part) {
-    const std::vector<double> coefficients = copied(from.coefficients());
+    const std::vector<double> numbers = copied(from.numbers());
     std::uint32_t taken = 0;
     for (const wire::Solid& s : copied(from.solids())) {
         Solid to;
         to.kind = enumerator<Solid::Kind>(s.kind(), wire::SolidKind::MAX, "solid");
         to.to_frame = frame(s.frame());
-        const std::uint32_t count = to.kind == Solid::Kind::quadric ? 10
-                                    : to.kind == Solid::Kind::torus ? 1
-                                                                    : 0;
-        const std::uint32_t first = take(taken, count, coefficients.size(), "coefficients");
-        std::copy_n(coefficients.begin() + first, count, to.coefficients.begin());
+        const auto first = numbers.begin() + take(taken, s.numbers(), numbers.size(), "numbers");
+        if (const auto count = coefficient_count(to.kind)) {
+            if (s.numbers() != *count)
+                throw WireFault(fmt::format("a solid of {} numbers", s.numbers()));
+            std::copy_n(first, *count, to.coefficients.begin());
+        } else {
+            to.first_number = static_cast<std::uint32_t>(part.numbers.size());
+            to.numbers = s.numbers();
+            part.numbers.insert(part.numbers.end(), first, first + s.numbers());
+        }
         part.solids.push_back(to);
     }
-    if (taken != coefficients.size())
-        throw WireFault("geometry with coefficients that belong to nothing");
+    if (taken != numbers.size()) throw WireFault("geometry with numbers that belong to nothing");
 }
 
 /// Throws unless a condition runs: no operation without operands, one value in the end.

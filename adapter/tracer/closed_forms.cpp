@@ -1,104 +1,38 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "backend/oracle/closed_forms.h"
 
+#include <array>
 #include <cmath>
 
 // The order of POV-Ray's headers matters: frame.h first, povdebug.h last.
 // clang-format off
 #include "backend/frame.h"
 #include "backend/scene/objects.h"
+#include "backend/shape/blob.h"
 #include "backend/shape/boxes.h"
 #include "backend/shape/cones.h"
 #include "backend/shape/discs.h"
+#include "backend/shape/lathe.h"
 #include "backend/shape/planes.h"
+#include "backend/shape/prism.h"
 #include "backend/shape/quadrics.h"
 #include "backend/shape/spheres.h"
+#include "backend/shape/super.h"
 #include "backend/shape/torus.h"
+#include "backend/shape/truetype.h"
 // clang-format on
 
-#include "backend/oracle/transform.h"
+#include "backend/oracle/field_forms.h"
+#include "backend/oracle/form_builder.h"
+#include "backend/oracle/profile_forms.h"
 #include "base/povdebug.h"
 
 namespace povpreview::tracer {
 
 namespace {
 
-using Row = std::array<double, 4>;
-
 /// What POV-Ray calls the parts of a cone (cones.cpp).
 constexpr int base_of_cone = 1, cap_of_cone = 2, side_of_cone = 3;
-
-/// From the world to the object's own space.
-LocalFrame own_frame(const pov::TRANSFORM* transform) {
-    LocalFrame frame;
-    for (std::size_t i = 0; i < 3; ++i) {
-        if (transform == nullptr) {
-            frame.row[i][i] = 1;
-            continue;
-        }
-        for (std::size_t j = 0; j < 4; ++j) frame.row[i][j] = transform->inverse[j][i];
-    }
-    return frame;
-}
-
-Row shifted(Row row, double by) {
-    row[3] += by;
-    return row;
-}
-
-Row scaled(Row row, double by) {
-    for (double& value : row) value *= by;
-    return row;
-}
-
-/// The half space z <= 0 where z is what the row says; x and y are along it.
-LocalFrame frame_of_half_space(const Row& z) {
-    const Point normal{z[0], z[1], z[2]};
-    const Point axis =
-        std::fabs(normal.x) <= std::fabs(normal.y) && std::fabs(normal.x) <= std::fabs(normal.z)
-            ? Point{1, 0, 0}
-        : std::fabs(normal.y) <= std::fabs(normal.z) ? Point{0, 1, 0}
-                                                     : Point{0, 0, 1};
-    const Point u = cross(normal, axis), v = cross(normal, u);
-    const double size = length(normal);
-    const auto along = [](const Point& p) {
-        const double one = 1 / length(p);
-        return Row{one * p.x, one * p.y, one * p.z, 0};
-    };
-    return {{along(u), along(v), scaled(z, 1 / size)}};
-}
-
-/// Makes the solids and sides of one primitive.
-class Builder {
-   public:
-    Builder(std::vector<ClosedSolid>& solids, ClosedForm& form) : solids_(solids), form_(form) {}
-
-    std::uint32_t solid(SolidKind kind, const LocalFrame& frame,
-                        std::vector<double> coefficients = {}) {
-        for (const Row& row : frame.row)
-            for (const double value : row) sound_ = sound_ && std::isfinite(value);
-        for (const double value : coefficients) sound_ = sound_ && std::isfinite(value);
-        solids_.push_back({kind, frame, std::move(coefficients)});
-        return static_cast<std::uint32_t>(solids_.size() - 1);
-    }
-    std::uint32_t half_space(const Row& z) {
-        return solid(SolidKind::half_space, frame_of_half_space(z));
-    }
-    void side(std::uint32_t solid, FaceNumber number, const Condition& where) {
-        form_.sides.push_back({solid, number, where});
-    }
-    void inside(const Condition& inside) { form_.inside = inside; }
-    /// Or the outside, if the object's flag says so.
-    void inside(const Condition& inside, const pov::ObjectBase& object) {
-        form_.inside = Test_Flag(&object, INVERTED_FLAG) ? !inside : inside;
-    }
-    bool sound() const { return sound_; }
-
-   private:
-    std::vector<ClosedSolid>& solids_;
-    ClosedForm& form_;
-    bool sound_ = true;
-};
 
 const char* add(const pov::Sphere& sphere, Builder& build) {
     const double radius = std::fabs(sphere.Radius);
@@ -227,8 +161,9 @@ const char* closed_form(const pov::ObjectBase& object, std::vector<ClosedSolid>&
                         ClosedForm& form) {
     Builder build(solids, form);
     const char* reason =
-        add_as<pov::Sphere, pov::Cone, pov::Box, pov::Plane, pov::Torus, pov::Quadric, pov::Disc>(
-            object, build);
+        add_as<pov::Sphere, pov::Cone, pov::Box, pov::Plane, pov::Torus, pov::Quadric, pov::Disc,
+               pov::TrueType, pov::Prism, pov::Superellipsoid, pov::Blob, pov::Lathe>(object,
+                                                                                      build);
     if (reason == nullptr && !build.sound()) return "numbers that are not finite";
     return reason;
 }

@@ -23,7 +23,19 @@ struct PolygonFacts {
 };
 
 /// The solids of core/detail/drawable_scene.h; in the order of wire::SolidKind.
-enum class SolidKind : std::uint8_t { half_space, sphere, cylinder, cone, quadric, torus };
+enum class SolidKind : std::uint8_t {
+    half_space,
+    sphere,
+    cylinder,
+    cone,
+    quadric,
+    torus,
+    superellipsoid,
+    prism,
+    conic_prism,
+    lathe,
+    blob
+};
 
 /// Coordinates i of a solid's frame is row[i] . (x, y, z, 1).
 struct LocalFrame {
@@ -32,7 +44,7 @@ struct LocalFrame {
 struct ClosedSolid {
     SolidKind kind = SolidKind::half_space;
     LocalFrame frame;
-    std::vector<double> coefficients;  ///< of a quadric 10, of a torus 1
+    std::vector<double> numbers;  ///< coefficients, outline or components
 };
 
 /// As wire::Piece; steps of its condition follow one another piece by piece.

@@ -34,7 +34,8 @@ wire::Frame columns(const LocalFrame& frame) {
 }
 
 wire::Solid solid(const ClosedSolid& from) {
-    return {columns(from.frame), static_cast<wire::SolidKind>(from.kind)};
+    return {columns(from.frame), static_cast<std::uint32_t>(from.numbers.size()),
+            static_cast<wire::SolidKind>(from.kind)};
 }
 wire::Piece piece(const PieceFacts& from) {
     return {from.solid, from.surface, from.material, from.steps};
@@ -88,9 +89,9 @@ Offset<flatbuffers::Vector<Number>> numbers(FlatBufferBuilder& builder,
 WireFrame geometry_frame(const GeometryChunk& chunk) {
     FlatBufferBuilder builder(24 * (chunk.points.size() + chunk.polygons.size()) +
                               4 * (chunk.corners.size() + chunk.rings.size()) + 1024);
-    std::vector<double> coefficients;
+    std::vector<double> solid_numbers;
     for (const ClosedSolid& from : chunk.solids)
-        coefficients.insert(coefficients.end(), from.coefficients.begin(), from.coefficients.end());
+        solid_numbers.insert(solid_numbers.end(), from.numbers.begin(), from.numbers.end());
     const auto points = structs(builder, chunk.points, vec3d);
     const auto corners = numbers(builder, chunk.corners);
     const auto rings = numbers(builder, chunk.rings);
@@ -102,7 +103,7 @@ WireFrame geometry_frame(const GeometryChunk& chunk) {
     const auto left_out_vector = builder.CreateVector(left_out);
     const auto uvs = structs(builder, chunk.corner_uvs, uv);
     const auto solids = structs(builder, chunk.solids, solid);
-    const auto coefficient_vector = numbers(builder, coefficients);
+    const auto solid_number_vector = numbers(builder, solid_numbers);
     const auto steps = numbers(builder, chunk.steps);
     const auto pieces = structs(builder, chunk.pieces, piece);
     const auto objects = structs(builder, chunk.objects, object);
@@ -112,7 +113,7 @@ WireFrame geometry_frame(const GeometryChunk& chunk) {
     return wire_frame(
         builder, wire::Report_Geometry,
         wire::CreateGeometry(builder, points, corners, rings, polygons, left_out_vector, chunk.last,
-                             uvs, solids, coefficient_vector, steps, pieces, objects, unknown,
+                             uvs, solids, solid_number_vector, steps, pieces, objects, unknown,
                              looks, images));
 }
 

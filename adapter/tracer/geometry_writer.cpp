@@ -62,6 +62,7 @@ void GeometryWriter::add(const CurvedPieces& object, const std::vector<PieceFact
     send_if_full();
     const auto first_solid = static_cast<std::uint32_t>(chunk_.solids.size());
     chunk_.solids.insert(chunk_.solids.end(), object.solids().begin(), object.solids().end());
+    for (const ClosedSolid& solid : object.solids()) chunk_numbers_ += solid.numbers.size();
     for (std::size_t i = 0; i < object.pieces().size(); ++i) {
         const CurvedPieces::Piece& piece = object.pieces()[i];
         for (const std::int32_t step : piece.where.steps())
@@ -78,12 +79,14 @@ void GeometryWriter::add(const CurvedPieces& object, const std::vector<PieceFact
 void GeometryWriter::send_if_full() {
     if (chunk_.points.size() < chunk_size && chunk_.corners.size() < chunk_size &&
         chunk_.solids.size() < chunk_solids && chunk_.steps.size() < 4 * chunk_size &&
-        chunk_.pieces.size() < chunk_size && chunk_.unknown.size() < chunk_size)
+        chunk_.pieces.size() < chunk_size && chunk_.unknown.size() < chunk_size &&
+        chunk_numbers_ < 4 * chunk_size)
         return;
     if (!chunk_.corner_uvs.empty()) chunk_.corner_uvs.resize(chunk_.corners.size());
     const auto left_out = std::exchange(chunk_.left_out, {});  // goes with the last chunk
     send_(chunk_);
     chunk_ = {};
+    chunk_numbers_ = 0;
     chunk_.left_out = left_out;
     for (const std::uint32_t point : indexed_) index_of_[point] = 0;
     indexed_.clear();

@@ -53,6 +53,7 @@ class GeometryWriter {
 
     std::function<void(const GeometryChunk&)> send_;
     GeometryChunk chunk_;
+    std::size_t chunk_numbers_ = 0;  ///< of its solids
     const ObjectFaces* object_ = nullptr;
     std::vector<std::uint32_t> index_of_;  ///< in the chunk, by point of the object; plus 1, or 0
     std::vector<std::uint32_t> indexed_;   ///< points of the object that have an index

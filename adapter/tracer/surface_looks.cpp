@@ -8,6 +8,8 @@
 // clang-format off
 #include "backend/frame.h"
 #include "backend/scene/objects.h"
+#include "backend/lighting/point.h"
+#include "backend/shape/blob.h"
 #include "backend/shape/mesh.h"
 #include "backend/support/imageutil.h"
 #include "backend/texture/texture.h"
@@ -159,6 +161,9 @@ Look SurfaceLooks::look(const Surface& surface) {
     const pov::ObjectBase& object = *surface.first;
     Textures textures = surface.second;
     if (textures.empty() && object.Texture != nullptr) textures = {object.Texture};
+    if (const auto* blob = dynamic_cast<const pov::Blob*>(&object))
+        for (int i = 0; i < blob->Data->Number_Of_Components; ++i)
+            if (blob->Element_Texture[i] != nullptr) textures.push_back(blob->Element_Texture[i]);
     if (object.Interior_Texture != nullptr) textures.push_back(object.Interior_Texture);
     Look look;
     // Without a texture of its own it takes those of the objects that it cuts.

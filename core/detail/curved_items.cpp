@@ -82,6 +82,10 @@ class CurvedDrawing {
         }
         rows_.resize(solids_.size());
         units_.resize(solids_.size());
+        for (const std::uint32_t number : solids_) {
+            const Solid& made = scene.solids[number];
+            intricate_.push_back(is_intricate(made.kind) ? prepared(scene, made) : nullptr);
+        }
     }
 
     /// False when it took too long: then the object is not drawn to its end.
@@ -96,9 +100,10 @@ class CurvedDrawing {
    private:
     void draw_row(int y, int left, int right) {
         const double length = glm::length(rays_.direction({(left + right) / 2., y + .5}));
+        in_world_ = row_rays(rays_, glm::dmat4x3(1), y + .5);
         for (std::size_t i = 0; i < solids_.size(); ++i) {
             const Solid& solid = scene_.solids[solids_[i]];
-            rows_[i] = row_rays(rays_, solid, y + .5);
+            rows_[i] = row_rays(rays_, solid.to_frame, y + .5);
             units_[i] = solid.kind == Solid::Kind::half_space ? length * z_scale(solid) : 0;
         }
         for (int x = left; x < right; x += ray_lanes)
@@ -118,17 +123,33 @@ class CurvedDrawing {
         const Mask within = all_lanes >> (ray_lanes - count);
         for (std::uint32_t p = 0; p < object_.pieces; ++p) {
             const auto slot = static_cast<std::size_t>(piece_slots_[p]);
-            const Solid& solid = scene_.solids[solids_[slot]];
-            find_roots(solid, rows_[slot], x_, roots_);
-            ++work_;
-            for (int r = 0; r < root_count(solid); ++r) {
-                find_nearness(rays_.orthographic, roots_[r], nearness_);
+            find_roots_of(slot, steps_[p].empty());
+            for (const RayLanes& roots : roots_) {
+                find_nearness(rays_.orthographic, roots, nearness_);
                 const Mask seen = within & nearer(nearness_, canvas_.nearness_from(first));
                 if (seen == 0) continue;
-                const Verdict verdict = holds(steps_[p], roots_[r]);
+                const Verdict verdict = holds(steps_[p], roots, seen);
                 draw_lanes(first, seen, verdict, ItemCanvas::piece_bit | (object_.first_piece + p));
             }
         }
+    }
+
+    void find_roots_of(std::size_t slot, bool nearest_only) {
+        const IntricateSolid* intricate = intricate_[slot].get();
+        work_ += intricate ? intricate->cost() : 1;
+        if (intricate)
+            find_roots(*intricate, rows_[slot], x_, in_world_, object_.bounds, nearest_only,
+                       roots_);
+        else
+            find_roots(scene_.solids[solids_[slot]], rows_[slot], x_, roots_);
+    }
+    void find_values_of(std::size_t slot, const RayLanes& t, Mask lanes) {
+        const IntricateSolid* intricate = intricate_[slot].get();
+        work_ += intricate ? intricate->cost() : 1;
+        if (intricate)
+            find_values(*intricate, rows_[slot], x_, t, lanes, values_);
+        else
+            find_values(scene_.solids[solids_[slot]], rows_[slot], x_, t, values_);
     }
 
     void draw_lanes(std::size_t first, Mask seen, const Verdict& verdict,
@@ -143,7 +164,8 @@ class CurvedDrawing {
         }
     }
 
-    Verdict holds(const std::vector<ConditionStep>& condition, const RayLanes& t) {
+    /// For the lanes asked for; of others anything may be said.
+    Verdict holds(const std::vector<ConditionStep>& condition, const RayLanes& t, Mask lanes) {
         Verdict stack[stack_depth];  // without a condition: everywhere
         std::size_t top = 0;
         for (ConditionStep step : condition) {
@@ -163,8 +185,7 @@ class CurvedDrawing {
                     break;
                 default: {
                     const auto slot = static_cast<std::size_t>(step);
-                    ++work_;
-                    find_values(scene_.solids[solids_[slot]], rows_[slot], x_, t, values_);
+                    find_values_of(slot, t, lanes);
                     stack[top++] = inside(values_, t, units_[slot]);
                 }
             }
@@ -180,18 +201,20 @@ class CurvedDrawing {
     std::vector<std::uint32_t> solids_;              // that it needs; a slot is a place among them
     std::vector<std::int32_t> piece_slots_;          // by piece
     std::vector<std::vector<ConditionStep>> steps_;  // of each piece, with slots for solids
-    std::vector<RowRays> rows_;                      // by slot
-    std::vector<double> units_;                      // by slot, see inside()
+    std::vector<std::unique_ptr<IntricateSolid>> intricate_;  // by slot; null for the others
+    std::vector<RowRays> rows_;                               // by slot
+    std::vector<double> units_;                               // by slot, see inside()
+    RowRays in_world_;
     RayLanes x_{}, values_{}, nearness_{};
-    std::array<RayLanes, most_roots> roots_{};
+    std::vector<RayLanes> roots_;
 };
 
-bool is_finite(const Solid& solid) {
+bool is_sensible(const DrawableScene& scene, const Solid& solid) {
     double sum = 0;  // of zeros, unless something is not finite
     for (int i = 0; i < 4; ++i)
         for (int j = 0; j < 3; ++j) sum += 0 * solid.to_frame[i][j];
     for (double c : solid.coefficients) sum += 0 * c;
-    return sum == 0;
+    return sum == 0 && (!is_intricate(solid.kind) || is_sound(scene, solid));
 }
 
 /// Whether all indices of an object are in range, its conditions run and its solids are some.
@@ -202,7 +225,7 @@ bool sound(const DrawableScene& scene, const CurvedObject& object) {
     if (!within(object.first_piece, object.pieces, scene.pieces.size())) return false;
     for (std::uint32_t p = 0; p < object.pieces; ++p) {
         const CurvedPiece& piece = scene.pieces[object.first_piece + p];
-        if (piece.solid >= scene.solids.size() || !is_finite(scene.solids[piece.solid]) ||
+        if (piece.solid >= scene.solids.size() || !is_sensible(scene, scene.solids[piece.solid]) ||
             !within(piece.first_condition, piece.conditions, scene.conditions.size()))
             return false;
         std::size_t depth = 0;
@@ -214,7 +237,8 @@ bool sound(const DrawableScene& scene, const CurvedObject& object) {
             if (depth > stack_depth) return false;
             if (step < 0) continue;
             const auto solid = static_cast<std::size_t>(step);
-            if (solid >= scene.solids.size() || !is_finite(scene.solids[solid])) return false;
+            if (solid >= scene.solids.size() || !is_sensible(scene, scene.solids[solid]))
+                return false;
         }
         if (piece.conditions > 0 && depth != 1) return false;
     }

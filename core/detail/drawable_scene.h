@@ -16,7 +16,13 @@
 /// it, as with a PolygonScene.
 namespace povpreview {
 
-/// A solid bounded by one algebraic surface f = 0, in a frame of its own; inside is f <= 0.
+/// A solid bounded by one surface f = 0, in a frame of its own; inside is f <= 0.
+///
+/// An outline is a list of cubic Bézier segments, four control points (u, v) each; inside is what
+/// an odd number of its curves surround. A blob's list is its threshold and then, a component, the
+/// 12 numbers of a matrix from the solid's frame (columns), a strength s, and a shape: with r the
+/// distance from the origin (0), the same where z >= 0 (1), or that from the z axis for z in [0, 1]
+/// (2), the field is s (1 - r^2)^2 where r < 1.
 struct Solid {
     enum class Kind : std::uint8_t {
         half_space,  ///< f = z
@@ -24,12 +30,21 @@ struct Solid {
         cylinder,    ///< f = x^2 + y^2 - 1, endless along z
         cone,        ///< f = x^2 + y^2 - z^2, both nappes, endless
         quadric,     ///< f = c . (xx, yy, zz, xy, xz, yz, x, y, z, 1)
-        torus        ///< f = (sqrt(x^2 + z^2) - 1)^2 + y^2 - c[0]^2
+        torus,       ///< f = (sqrt(x^2 + z^2) - 1)^2 + y^2 - c[0]^2
+        /// f = ((|x|^c[0] + |y|^c[0])^(c[1]/c[0]) + |z|^c[1])^(1/c[1]) - 1, both at least 1
+        superellipsoid,
+        prism,        ///< (x, y) inside an outline, endless along z
+        conic_prism,  ///< (x / z, y / z) inside an outline, on both sides of the apex, endless
+        lathe,        ///< (sqrt(x^2 + y^2), z) inside an outline
+        blob          ///< threshold - sum of the components' fields
     };
     Kind kind = Kind::sphere;
     glm::dmat4x3 to_frame{1};  ///< from the world; need not keep angles
     std::array<double, 10> coefficients{};
+    /// Its list, in DrawableScene::numbers.
+    std::uint32_t first_number = 0, numbers = 0;
 };
+constexpr std::size_t outline_numbers_a_segment = 8, blob_numbers_a_component = 14;
 
 /// A part of the boundary of a solid: its points where a condition holds. That is how primitives
 /// with ends, CSG and clipping are made of endless solids:
@@ -116,6 +131,7 @@ struct DrawableScene {
     std::vector<glm::vec2> corner_uvs;
 
     std::vector<Solid> solids;
+    std::vector<double> numbers;  ///< outlines and blobs of solids
     std::vector<ConditionStep> conditions;
     std::vector<CurvedPiece> pieces;
     std::vector<CurvedObject> objects;

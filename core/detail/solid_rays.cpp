@@ -2,6 +2,7 @@
 #include "core/detail/solid_rays.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <glm/glm.hpp>
 #include <limits>
@@ -158,11 +159,30 @@ int torus_roots(double r, const glm::dvec3& from, const glm::dvec3& along, doubl
     return found;
 }
 
+/// To what is within a box or not farther from it than rounding; false where nothing is.
+bool clip(RayStretch& ray, const Bounds& box) {
+    for (int k = 0; k < 3; ++k) {
+        const double slack =
+            1e-9 * (std::abs(ray.from[k]) + std::abs(box.low[k]) + std::abs(box.high[k]));
+        if (!std::isfinite(slack)) continue;
+        const double low = box.low[k] - slack - ray.from[k],
+                     high = box.high[k] + slack - ray.from[k];
+        if (ray.along[k] == 0) {
+            if (low > 0 || high < 0) return false;
+            continue;
+        }
+        const double a = low / ray.along[k], b = high / ray.along[k];
+        ray.first = std::max(ray.first, std::min(a, b));
+        ray.last = std::min(ray.last, std::max(a, b));
+    }
+    return ray.first <= ray.last;
+}
+
 }  // namespace
 
-RowRays row_rays(const PixelRays& rays, const Solid& solid, double y) {
-    const glm::dmat3 linear(solid.to_frame);
-    const glm::dvec3 origin = solid.to_frame * glm::dvec4(rays.origin, 1);
+RowRays row_rays(const PixelRays& rays, const glm::dmat4x3& to_frame, double y) {
+    const glm::dmat3 linear(to_frame);
+    const glm::dvec3 origin = to_frame * glm::dvec4(rays.origin, 1);
     const glm::dvec3 along = linear * rays.along, across = linear * rays.across,
                      down = linear * rays.down;
     if (rays.orthographic) return {origin + y * down, across, along, glm::dvec3(0)};
@@ -170,28 +190,63 @@ RowRays row_rays(const PixelRays& rays, const Solid& solid, double y) {
 }
 
 void find_roots(const Solid& solid, const RowRays& rays, const RayLanes& x,
-                std::array<RayLanes, most_roots>& roots) {
+                std::vector<RayLanes>& roots) {
+    constexpr std::size_t most = 4;
+    roots.resize(solid.kind == Solid::Kind::torus ? most : 2);
     Parabolas parabolas;
     switch (solid.kind) {
         case Solid::Kind::half_space:
             return half_space_roots(rays, x, roots[0], roots[1]);
-        case Solid::Kind::sphere:
-        case Solid::Kind::cylinder:
-        case Solid::Kind::cone:
-            find_diagonal(diagonal(solid.kind), rays, x, parabolas);
-            return parabola_roots(parabolas, roots[0], roots[1]);
         case Solid::Kind::quadric:
             find_quadric(solid.coefficients, rays, x, parabolas);
             return parabola_roots(parabolas, roots[0], roots[1]);
         case Solid::Kind::torus:
             for (int i = 0; i < ray_lanes; ++i) {
-                double found[most_roots];
+                double found[most];
                 const int count =
                     torus_roots(solid.coefficients[0], rays.from + x[i] * rays.from_step,
                                 rays.along + x[i] * rays.along_step, found);
-                for (int j = 0; j < most_roots; ++j) roots[j][i] = j < count ? found[j] : none;
+                for (int j = 0; j < int(most); ++j) roots[j][i] = j < count ? found[j] : none;
             }
+            return;
+        default:
+            find_diagonal(diagonal(solid.kind), rays, x, parabolas);
+            return parabola_roots(parabolas, roots[0], roots[1]);
     }
+}
+
+void find_roots(const IntricateSolid& solid, const RowRays& rays, const RayLanes& x,
+                const RowRays& in_world, const Bounds& bounds, bool nearest_only,
+                std::vector<RayLanes>& roots) {
+    thread_local std::vector<double> found;
+    roots.clear();
+    for (int i = 0; i < ray_lanes; ++i) {
+        RayStretch ray{in_world.from + x[i] * in_world.from_step,
+                       in_world.along + x[i] * in_world.along_step};
+        if (!clip(ray, bounds)) continue;
+        ray.nearest_only = nearest_only;
+        ray.from = rays.from + x[i] * rays.from_step;
+        ray.along = rays.along + x[i] * rays.along_step;
+        found.clear();
+        solid.find_roots(ray, found);
+        std::size_t used = 0;
+        for (const double t : found) {
+            if (!(t >= ray.first && t <= ray.last)) continue;
+            if (used == roots.size()) {
+                roots.emplace_back();
+                roots.back().fill(none);
+            }
+            roots[used++][i] = t;
+        }
+    }
+}
+
+void find_values(const IntricateSolid& solid, const RowRays& rays, const RayLanes& x,
+                 const RayLanes& t, std::uint32_t lanes, RayLanes& values) {
+    for (int i = 0; i < ray_lanes; ++i)
+        values[i] = lanes >> i & 1 ? solid.value(rays.from + x[i] * rays.from_step +
+                                                 t[i] * (rays.along + x[i] * rays.along_step))
+                                   : none;
 }
 
 POVPREVIEW_WIDE_VECTORS
@@ -250,7 +305,10 @@ void find_values(const Solid& solid, const RowRays& r, const RayLanes& x, const 
                 const double aside = std::sqrt(px[i] * px[i] + pz[i] * pz[i]) - 1;
                 values[i] = aside * aside + py[i] * py[i] - r2;
             }
+            break;
         }
+        default:
+            assert(!"an intricate solid");
     }
 }
 

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
+#include "core/detail/intricate_solid.h"
 #include "core/detail/pixel_rays.h"
 
 namespace povpreview {
@@ -27,16 +29,17 @@ struct RowRays {
 };
 
 /// `y`: pixel coordinate of the row.
-RowRays row_rays(const PixelRays& rays, const Solid& solid, double y);
-
-/// How often a ray meets the surface of a solid at most: a torus four times, all others twice.
-inline constexpr int most_roots = 4;
-inline int root_count(const Solid& solid) { return solid.kind == Solid::Kind::torus ? 4 : 2; }
+RowRays row_rays(const PixelRays& rays, const glm::dmat4x3& to_frame, double y);
 
 /// The depths where the rays meet the solid's surface, in any order; not-a-number where there are
-/// fewer. Writes `root_count(solid)` arrays.
+/// fewer. An array for each time that a ray may. REQUIRES: not is_intricate().
 void find_roots(const Solid& solid, const RowRays& rays, const RayLanes& x,
-                std::array<RayLanes, most_roots>& roots);
+                std::vector<RayLanes>& roots);
+/// The same of an intricate one; only those within the bounds, in the world, and if so asked for,
+/// only the nearest.
+void find_roots(const IntricateSolid& solid, const RowRays& rays, const RayLanes& x,
+                const RowRays& in_world, const Bounds& bounds, bool nearest_only,
+                std::vector<RayLanes>& roots);
 
 /// Of depths along the rays, see PixelRays::nearness(); negative infinity for what lies behind the
 /// eye or is not a number.
@@ -44,7 +47,11 @@ void find_nearness(bool orthographic, const RayLanes& depths, RayLanes& nearness
 
 /// The solid's f at depths along the rays: inside is f <= 0. Where f has no scale of its own, of a
 /// cone and a quadric, it is divided by the size of its terms; a half space's is in its frame's.
+/// REQUIRES: not is_intricate().
 void find_values(const Solid& solid, const RowRays& rays, const RayLanes& x, const RayLanes& t,
                  RayLanes& values);
+/// Of an intricate one where a bit of `lanes` is set.
+void find_values(const IntricateSolid& solid, const RowRays& rays, const RayLanes& x,
+                 const RayLanes& t, std::uint32_t lanes, RayLanes& values);
 
 }  // namespace povpreview

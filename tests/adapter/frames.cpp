@@ -132,14 +132,20 @@ Bytes geometry_frame(const Geometry& geometry, bool last) {
     std::vector<wire::Vec2f> uvs;
     for (const glm::vec2& uv : geometry.corner_uvs) uvs.emplace_back(uv.x, uv.y);
     std::vector<wire::Solid> solids;
-    std::vector<double> coefficients;
+    std::vector<double> numbers;
     for (const Solid& solid : geometry.solids) {
-        solids.emplace_back(frame_of(solid.to_frame), static_cast<wire::SolidKind>(solid.kind));
-        const std::ptrdiff_t count = solid.kind == Solid::Kind::quadric ? 10
-                                     : solid.kind == Solid::Kind::torus ? 1
-                                                                        : 0;
-        coefficients.insert(coefficients.end(), solid.coefficients.begin(),
-                            solid.coefficients.begin() + count);
+        const std::size_t before = numbers.size();
+        const std::ptrdiff_t count = solid.kind == Solid::Kind::quadric          ? 10
+                                     : solid.kind == Solid::Kind::torus          ? 1
+                                     : solid.kind == Solid::Kind::superellipsoid ? 2
+                                                                                 : 0;
+        numbers.insert(numbers.end(), solid.coefficients.begin(),
+                       solid.coefficients.begin() + count);
+        const auto list = geometry.numbers.begin() + solid.first_number;
+        numbers.insert(numbers.end(), list, list + solid.numbers);
+        solids.emplace_back(frame_of(solid.to_frame),
+                            static_cast<std::uint32_t>(numbers.size() - before),
+                            static_cast<wire::SolidKind>(solid.kind));
     }
     std::vector<wire::Piece> pieces;
     for (const CurvedPiece& p : geometry.pieces)
@@ -170,8 +176,8 @@ Bytes geometry_frame(const Geometry& geometry, bool last) {
     return frame(
         b, wire::Report::Geometry,
         wire::CreateGeometryDirect(b, &points, &geometry.corners, &rings, &polygons, &left_out,
-                                   last, &uvs, &solids, &coefficients, &geometry.conditions,
-                                   &pieces, &objects, &unknown, &looks, &images)
+                                   last, &uvs, &solids, &numbers, &geometry.conditions, &pieces,
+                                   &objects, &unknown, &looks, &images)
             .Union());
 }
 
@@ -197,13 +203,16 @@ std::vector<Texel> small_texels() {
 
 namespace {
 
-/// A cut torus and a quadric; something unknown; four looks.
+/// A cut torus and a quadric, a curve and a superellipsoid; something unknown; four looks.
 void add_curved_part(Geometry& geometry) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     const glm::dmat4x3 frame({1, 2, 3}, {4, 5, 6}, {7, 8, 10}, {.5, .25, 0});
     geometry.solids = {{Solid::Kind::torus, frame, {.25}},
                        {Solid::Kind::half_space, glm::dmat4x3(1), {}},
-                       {Solid::Kind::quadric, glm::dmat4x3(2), {1, 2, 3, 4, 5, 6, 7, 8, 9, -1}}};
+                       {Solid::Kind::quadric, glm::dmat4x3(2), {1, 2, 3, 4, 5, 6, 7, 8, 9, -1}},
+                       {Solid::Kind::lathe, frame, {}, 0, 8},
+                       {Solid::Kind::superellipsoid, frame, {2, 5}}};
+    geometry.numbers = {0, 0, 1, 0, 1, 1, 0, 1};
     geometry.conditions = {1, condition_not, 2, condition_or, 0};
     geometry.pieces = {{0, 501, 1, 0, 4}, {1, 502, 2, 4, 1}, {2, 503, 1, 5, 0}};
     geometry.objects = {{{{-1, -1, -1}, {1, 1, 1}}, 0, 2}, {{{0, 0, 0}, {infinity, 2, 2}}, 2, 1}};

@@ -33,7 +33,10 @@ void expect_equal_solids(const Geometry& a, const Geometry& b) {
         EXPECT_EQ(a.solids[i].kind, b.solids[i].kind);
         EXPECT_EQ(a.solids[i].to_frame, b.solids[i].to_frame);
         EXPECT_EQ(a.solids[i].coefficients, b.solids[i].coefficients);
+        EXPECT_EQ(a.solids[i].first_number, b.solids[i].first_number);
+        EXPECT_EQ(a.solids[i].numbers, b.solids[i].numbers);
     }
+    EXPECT_EQ(a.numbers, b.numbers);
     EXPECT_EQ(a.conditions, b.conditions);
     ASSERT_EQ(a.pieces.size(), b.pieces.size());
     for (std::size_t i = 0; i < a.pieces.size(); ++i) {
@@ -138,7 +141,8 @@ TEST(GeometryOnTheWire, ContradictionsAreRefused) {
     refused([](Geometry& g) { g.left_out[0].reason.assign(300, 'x'); });
     refused([](Geometry& g) { g.corner_uvs.pop_back(); });
     refused([](Geometry& g) { g.solids[1].kind = Solid::Kind{17}; });
-    refused([](Geometry& g) { g.pieces[2].solid = 3; });
+    refused([](Geometry& g) { g.solids[1].numbers = 8; });
+    refused([](Geometry& g) { g.pieces[2].solid = 5; });
     refused([](Geometry& g) { g.pieces[1].conditions = 0xffffffff; });
     refused([](Geometry& g) { g.pieces.pop_back(); });
     refused([](Geometry& g) { g.objects[0].pieces = 4; });
@@ -375,11 +379,14 @@ TEST(DrawableSceneOfGeometry, HasAllPartsWithTheirIndices) {
     for (std::size_t i = 0; i < 3; ++i)
         EXPECT_EQ(scene->corner_uvs[scene->polygons.faces[1].first + i],
                   both.corner_uvs[both.rings[1].first + i]);
-    ASSERT_EQ(scene->solids.size(), 6U);
+    ASSERT_EQ(scene->solids.size(), 10U);
+    ASSERT_EQ(scene->numbers.size(), 16U);
+    EXPECT_EQ(scene->solids[8].first_number, 8U);
+    EXPECT_EQ(scene->solids[8].numbers, 8U);
     ASSERT_EQ(scene->pieces.size(), 6U);
-    EXPECT_EQ(scene->pieces[4].solid, 4U);
+    EXPECT_EQ(scene->pieces[4].solid, 6U);
     EXPECT_EQ(scene->pieces[4].first_condition, 9U);
-    EXPECT_EQ(scene->conditions[5], 4);
+    EXPECT_EQ(scene->conditions[5], 6);
     EXPECT_EQ(scene->conditions[6], condition_not);
     EXPECT_EQ(scene->objects[3].first_piece, 5U);
     EXPECT_EQ(scene->unknown.size(), 2U);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 //
 // What does the item buffer cost: a whole paint_items() on one thread, of triangles, spheres,
-// closed cylinders, solid geometry of few and many pieces, a floor with an image?
+// closed cylinders, letters, blobs, superellipsoids, solid geometry of few and many pieces, a floor
+// with an image?
 #include <benchmark/benchmark.h>
 
 #include <glm/gtc/packing.hpp>
@@ -13,7 +14,7 @@
 namespace povpreview {
 namespace {
 
-using test::ItemScene;
+using test::ItemScene, test::frame_along;
 
 ItemScene empty_scene(const benchmark::State& state) {
     const int width = static_cast<int>(state.range(0));
@@ -81,6 +82,61 @@ void tori(benchmark::State& state) {
     paint(state, made);
 }
 
+/// Letters of so many cubic segments, extruded; a row of them fills the view.
+void letters(benchmark::State& state) {
+    ItemScene made = empty_scene(state);
+    constexpr int in_row = 12, segments = 30;
+    for (std::int64_t letter = 0; letter < state.range(1); ++letter) {
+        const glm::dvec3 at(.45 * double(letter % in_row) - 2.5, 1. - .6 * double(letter / in_row),
+                            0);
+        std::vector<double> outline;
+        for (int i = 0; i < segments; ++i)
+            for (int k = 0; k < 4; ++k) {
+                const double angle = (3 * i + k) % (3 * segments) * (6.283185307 / 3 / segments);
+                const double radius = .2 + .03 * std::cos(5 * angle);
+                outline.insert(outline.end(), {radius * std::cos(angle), radius * std::sin(angle)});
+            }
+        const glm::dmat4x3 frame({1, 0, 0}, {0, 1, 0}, {0, 0, 1}, at);
+        const std::uint32_t walls = made.listed_solid(Solid::Kind::prism, frame, outline);
+        const auto front = static_cast<int>(made.half_space({0, 0, -1}, at)),
+                   back = static_cast<int>(made.half_space({0, 0, 1}, at + glm::dvec3(0, 0, .2)));
+        made.piece(walls, {front, back, condition_and});
+        made.piece(static_cast<std::uint32_t>(front), {static_cast<int>(walls)});
+        made.piece(static_cast<std::uint32_t>(back), {static_cast<int>(walls)});
+        made.object({at - glm::dvec3(.25, .25, 0), at + glm::dvec3(.25, .25, .2)});
+    }
+    paint(state, made);
+}
+
+/// A blob of so many components that fills much of the view.
+void blob(benchmark::State& state) {
+    ItemScene made = empty_scene(state);
+    Spread spread(state.range(1));
+    std::vector<double> numbers{.5};
+    for (std::int64_t i = 0; i < state.range(1); ++i) {
+        const glm::dvec3 p = .5 * spread.point() / spread.size;
+        numbers.insert(numbers.end(), {1 / spread.size, 0, 0, 0, 1 / spread.size, 0, 0, 0,
+                                       1 / spread.size, -p.x, -p.y, -p.z, 1, 0});
+    }
+    made.piece(made.listed_solid(Solid::Kind::blob, glm::dmat4x3(1), numbers));
+    made.object({{-1.5 - spread.size, -1 - spread.size, -1 - spread.size},
+                 {1.5 + spread.size, 1 + spread.size, 1 + spread.size}});
+    paint(state, made);
+}
+
+void superellipsoids(benchmark::State& state) {
+    ItemScene made = empty_scene(state);
+    Spread spread(state.range(1));
+    for (std::int64_t i = 0; i < state.range(1); ++i) {
+        const glm::dvec3 p = spread.point();
+        made.piece(made.solid(Solid::Kind::superellipsoid,
+                              frame_along(spread.point(), p, .5 * spread.size, .5 * spread.size),
+                              {8, 5}));
+        made.object({p - spread.size, p + spread.size});
+    }
+    paint(state, made);
+}
+
 /// A ball with holes: as many solids as pieces, of one object that fills much of the view.
 void differences(benchmark::State& state) {
     ItemScene made = empty_scene(state);
@@ -140,6 +196,9 @@ BENCHMARK(spheres)->ArgsProduct(in_sizes({1, 100, 10000}))->Unit(benchmark::kMil
 BENCHMARK(cylinders)->ArgsProduct(in_sizes({1, 100, 10000}))->Unit(benchmark::kMillisecond);
 BENCHMARK(tori)->ArgsProduct(in_sizes({1, 100}))->Unit(benchmark::kMillisecond);
 BENCHMARK(differences)->ArgsProduct(in_sizes({2, 8, 32}))->Unit(benchmark::kMillisecond);
+BENCHMARK(letters)->ArgsProduct(in_sizes({1, 12, 60}))->Unit(benchmark::kMillisecond);
+BENCHMARK(blob)->ArgsProduct(in_sizes({3, 30}))->Unit(benchmark::kMillisecond);
+BENCHMARK(superellipsoids)->ArgsProduct(in_sizes({1, 30}))->Unit(benchmark::kMillisecond);
 BENCHMARK(typical)
     ->ArgsProduct(in_sizes({0, 1}))
     ->ArgNames({"", "image"})

@@ -95,10 +95,57 @@ intersection { sphere { 0, 1 } object { union { plane { y, 0 } sphere { .5*y, .4
   translate <0,-.5,-3> pigment { rgb y } }
 sphere { <4,0,0>, 1 clipped_by { sphere { <4,0,-1>, .8 inverse } } bounded_by { clipped_by } })",
      1, .1},
+    {"text",
+     R"(
+plane { y, -1 pigment { rgb z } }
+text { ttf "timrom.ttf" "&8Rg" .3, 0 scale 2.2 translate <-3.4,.2,0> pigment { rgb x } }
+text { ttf "crystal.ttf" "a8@" .4, .1*x scale 1.5 rotate <30,-40,10> translate <1.5,1,0> }
+difference { box { <-3,-1,-1.5>, <3,.3,-1> } text { ttf "cyrvetic.ttf" "eBa" .5, 0
+  translate <-1,-.7,-1.7> } texture { pigment { rgb y } } }
+intersection { sphere { 0, 1 } text { ttf "timrom.ttf" "S" 4, 0 scale 2 translate <-.5,-.6,-2> inverse }
+  translate <3.2,0,-2> })",
+     1, .1},
+    {"prisms",
+     R"(
+#declare Curve = prism { cubic_spline -.5, .6, 7, <.2,-1>, <.9,-.3>, <.5,.8>, <-.8,.6>, <-.6,-.7>, <.9,-.3>, <.5,.8> }
+#declare Bezier = prism { bezier_spline conic_sweep .3, 1, 8, <-.5,-.5>, <-.9,.3>, <.1,.9>, <.5,.5>,
+  <.5,.5>, <.9,-.2>, <.2,-.8>, <-.5,-.5> }
+plane { y, -1.5 }
+object { Curve rotate <-50,20,10> translate <-2.5,1,0> pigment { rgb x } }
+object { Bezier scale 1.5 rotate <-30,20,0> translate <0,.5,0> pigment { rgb y } }
+prism { quadratic_spline -.4, .4, 7, <.6,-.6>, <.5,.5>, <-.5,.6>, <-.8,-.1>, <-.3,-.8>, <.6,-.6>, <.5,.5>
+  open rotate <-60,0,20> translate <2.2,1.5,0> }
+prism { linear_spline conic_sweep -1, .8, 4, <-1,-.6>, <1,-.5>, <.1,.9>, <-1,-.6> translate <2.8,-.5,0> }
+difference { object { Curve } object { Bezier scale 1.4 translate <.1,-.9,0> } cylinder { -y, y, .2 }
+  rotate -40*x translate <-1.2,-.8,-3> })",
+     1, .1},
+    {"turned_and_swollen",
+     R"(
+plane { y, -1.5 }
+lathe { cubic_spline 7, <0,-1>, <.1,-.9>, <.8,-.5>, <.3,.1>, <.7,.8>, <.5,1>, <.4,1.1> rotate -20*x
+  translate <-3,.5,0> pigment { rgb x } }
+lathe { bezier_spline 4, <.2,-.5>, <1.4,-.4>, <.05,.6>, <.5,.8> rotate <60,0,20> translate <-1,1.5,0> }
+lathe { linear_spline 5, <.3,0>, <.9,.2>, <.6,.5>, <.9,.9>, <.3,0> translate <-.8,-1.4,-1> }
+superellipsoid { <.3,.3> rotate <20,30,0> translate <1.2,1.2,0> pigment { rgb y } }
+superellipsoid { <1,.2> scale .8 rotate <-60,30,0> translate <3.4,1,0> }
+superellipsoid { <1.5,.7> scale .8 rotate <20,0,50> translate <1.5,-.6,-1> }
+difference { superellipsoid { <.2,.2> scale .8 } lathe { quadratic_spline 4, <.2,-1>, <.3,-.9>, <.6,0>, <.2,.9> }
+  rotate <30,20,0> translate <3.2,-.5,-1> })",
+     1, .1},
+    {"blobs",
+     R"(
+plane { y, -1.5 }
+blob { threshold .6 sphere { <-.5,0,0>, 1, 1 } sphere { <.6,.2,0>, 1.1, .9 } cylinder { <0,-1,0>, <.3,1,.4>, .6, 1.3 }
+  sphere { <.2,.3,-.6>, .7, -1.2 } translate <-2,.8,0> pigment { rgb x } }
+blob { threshold .5 sphere { 0, 1, 1 scale <1.5,.6,1> rotate 30*z } cylinder { -x, x, .5, 1 rotate 60*y }
+  scale .9 rotate <20,0,-30> translate <1.2,1,0> }
+difference { blob { threshold .4 sphere { 0, 1, 1 } sphere { <.8,.3,0>, .9, 1 } } sphere { <.3,.2,-.7>, .6 }
+  box { -2, <2,-.3,2> } translate <2.6,-.4,-1> pigment { rgb y } })",
+     1, .1},
     {"unions_beside_what_is_unknown",
      R"(
 plane { y, -1 }
-union { sphere { 0, 1 } blob { threshold .5 sphere { <2,0,0>, 1, 1 } sphere { <2.5,.5,0>, 1, 1 } }
+union { sphere { 0, 1 } julia_fractal { <-.1,.7,0,-.2> quaternion max_iteration 5 translate 2*x }
   cylinder { <-3,-1,0>, <-3,1,0>, .5 } bounded_by { box { -4, 4 } } translate -z }
 intersection { sphere { <-1,2,0>, 1 } isosurface { function { x*x+y*y+z*z-1 } contained_by { box { -1, 1 } }
   translate <-1,2.5,0> } }

@@ -6,6 +6,9 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "core/detail/intricate_solid.h"
+#include "tests/core/detail/plain_solids.h"
+
 namespace povpreview {
 namespace {
 
@@ -78,14 +81,12 @@ Polynomial along(const Solid& solid, const glm::dvec3& p, const glm::dvec3& d) {
             const Polynomial ring = x * x + z * z, sum = ring + y * y + Polynomial{1 - c[0] * c[0]};
             return sum * sum + -4. * ring;
         }
+        default:
+            return {};
     }
-    return {};
 }
 
-/// Where the ray is inside of a box; empty if low > high.
-struct Stretch {
-    double low = 0, high = too_far;
-};
+/// Where the ray is inside of a box.
 Stretch inside_box(const Bounds& box, const Ray& ray) {
     Stretch stretch;
     for (int i = 0; i < 3; ++i) {
@@ -121,7 +122,7 @@ Seen see(const DrawableScene& scene, const Ray& ray, const NearestFace& face) {
         const double slack = 1e-9 * (1 + stretch.high);
         for (std::uint32_t i = 0; i < object.pieces; ++i) {
             const CurvedPiece& piece = scene.pieces[object.first_piece + i];
-            for (const double depth : crossings(scene.solids[piece.solid], ray)) {
+            for (const double depth : crossings(scene, scene.solids[piece.solid], ray, stretch)) {
                 if (depth < std::max(too_near, stretch.low - slack)) continue;
                 if (depth > stretch.high + slack) break;
                 const Holds shows = holds(scene, piece, ray.origin + depth * ray.direction);
@@ -162,7 +163,12 @@ bool is_tied(const Sample& probe, const Seen& said) {
 
 }  // namespace
 
-std::vector<double> crossings(const Solid& solid, const Ray& ray) {
+std::vector<double> crossings(const DrawableScene& scene, const Solid& solid, const Ray& ray,
+                              const Stretch& within) {
+    if (is_intricate(solid.kind))
+        return test::plain_roots(scene, solid, solid.to_frame * glm::dvec4(ray.origin, 1),
+                                 solid.to_frame * glm::dvec4(ray.direction, 0), within.low,
+                                 within.high);
     // From the point of the ray that is nearest to the frame's origin: far away, rounding eats the
     // roots.
     glm::dvec3 p = solid.to_frame * glm::dvec4(ray.origin, 1);
@@ -175,9 +181,19 @@ std::vector<double> crossings(const Solid& solid, const Ray& ray) {
     return result;
 }
 
-Holds is_inside(const Solid& solid, const glm::dvec3& point) {
+Holds is_inside(const DrawableScene& scene, const Solid& solid, const glm::dvec3& point) {
     constexpr double rounding = 1e-7;
     const glm::dvec3 p = solid.to_frame * glm::dvec4(point, 1);
+    if (is_intricate(solid.kind)) {
+        // Of the points around it, as far as chords are from their curves.
+        const double aside = 1e-4;
+        const bool inside = test::plain_value(scene, solid, p) <= 0;
+        for (const glm::dvec3& step :
+             {glm::dvec3(aside, 0, 0), glm::dvec3(0, aside, 0), glm::dvec3(0, 0, aside)})
+            for (const glm::dvec3& q : {p + step, p - step})
+                if ((test::plain_value(scene, solid, q) <= 0) != inside) return Holds::undecided;
+        return inside ? Holds::yes : Holds::no;
+    }
     const double f = along(solid, p, glm::dvec3(0))[0];
     double scale = 1;
     if (solid.kind == Solid::Kind::half_space) {
@@ -197,7 +213,7 @@ Holds holds(const DrawableScene& scene, const CurvedPiece& piece, const glm::dve
     for (std::uint32_t i = 0; i < piece.conditions; ++i) {
         const ConditionStep step = scene.conditions[piece.first_condition + i];
         if (step >= 0) {
-            stack.push_back(is_inside(scene.solids[static_cast<std::size_t>(step)], point));
+            stack.push_back(is_inside(scene, scene.solids[static_cast<std::size_t>(step)], point));
         } else if (step == condition_not) {
             if (stack.back() != Holds::undecided)
                 stack.back() = stack.back() == Holds::yes ? Holds::no : Holds::yes;

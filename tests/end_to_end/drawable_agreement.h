@@ -52,11 +52,17 @@ std::vector<Seen> seen_at(const DrawableScene& scene, std::span<const glm::dvec2
 
 DrawableAgreement compare_drawable(const DrawableScene& scene, std::span<const Sample> probes);
 
-/// Depths at which a ray meets the surface of a solid, in order; tests of that are tests of tests.
-std::vector<double> crossings(const Solid& solid, const Ray& ray);
+/// Depths of a ray; empty if low > high.
+struct Stretch {
+    double low = 0, high = too_far;
+};
+/// Depths at which a ray meets the surface of a solid, in order, all within the stretch among them;
+/// tests of that are tests of tests.
+std::vector<double> crossings(const DrawableScene& scene, const Solid& solid, const Ray& ray,
+                              const Stretch& within);
 enum class Holds : std::uint8_t { no, undecided, yes };
 /// Undecided in the surface, up to rounding.
-Holds is_inside(const Solid& solid, const glm::dvec3& point);
+Holds is_inside(const DrawableScene& scene, const Solid& solid, const glm::dvec3& point);
 /// Whether a piece's condition holds at a point of its solid's surface.
 Holds holds(const DrawableScene& scene, const CurvedPiece& piece, const glm::dvec3& point);
 

@@ -40,6 +40,15 @@ std::uint32_t ItemScene::solid(Solid::Kind kind, const glm::dmat4x3& frame,
     return static_cast<std::uint32_t>(scene.solids.size() - 1);
 }
 
+std::uint32_t ItemScene::listed_solid(Solid::Kind kind, const glm::dmat4x3& frame,
+                                      const std::vector<double>& numbers) {
+    const std::uint32_t made = solid(kind, frame);
+    scene.solids[made].first_number = static_cast<std::uint32_t>(scene.numbers.size());
+    scene.solids[made].numbers = static_cast<std::uint32_t>(numbers.size());
+    scene.numbers.insert(scene.numbers.end(), numbers.begin(), numbers.end());
+    return made;
+}
+
 std::uint32_t ItemScene::sphere_solid(const glm::dvec3& centre, double radius) {
     return solid(Solid::Kind::sphere, frame_along({0, 0, 1}, centre, radius, radius));
 }

@@ -21,6 +21,9 @@ class ItemScene {
     // Solids alone, by number. A frame: the images of x, y, z and the origin.
     std::uint32_t solid(Solid::Kind kind, const glm::dmat4x3& frame,
                         const std::array<double, 10>& coefficients = {});
+    /// One that has a list of numbers.
+    std::uint32_t listed_solid(Solid::Kind kind, const glm::dmat4x3& frame,
+                               const std::vector<double>& numbers);
     std::uint32_t sphere_solid(const glm::dvec3& centre, double radius);
     std::uint32_t half_space(const glm::dvec3& outward, const glm::dvec3& through);
     /// Endless, around the line through a and b.

@@ -6,6 +6,9 @@
 #include <glm/gtc/packing.hpp>
 #include <limits>
 
+#include "core/detail/intricate_solid.h"
+#include "tests/core/detail/plain_solids.h"
+
 namespace povpreview::test {
 
 namespace {
@@ -13,7 +16,7 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double pi = 3.14159265358979323846;
 
-double value(const Solid& solid, const glm::dvec3& world) {
+double value(const DrawableScene& scene, const Solid& solid, const glm::dvec3& world) {
     const glm::dvec3 p = solid.to_frame * glm::dvec4(world, 1);
     const auto& c = solid.coefficients;
     switch (solid.kind) {
@@ -33,8 +36,9 @@ double value(const Solid& solid, const glm::dvec3& world) {
             const double aside = std::hypot(p.x, p.z) - 1;
             return aside * aside + p.y * p.y - c[0] * c[0];
         }
+        default:
+            return plain_value(scene, solid, p);
     }
-    return 0;
 }
 
 /// Where a ray meets a quadratic solid: the value along it is a parabola, known by three points.
@@ -171,7 +175,7 @@ bool RayCaster::holds(const CurvedPiece& piece, const glm::dvec3& p) const {
     for (std::uint32_t i = 0; i < piece.conditions; ++i) {
         const ConditionStep step = scene_.conditions[piece.first_condition + i];
         if (step >= 0) {
-            stack.push_back(value(scene_.solids[static_cast<std::size_t>(step)], p) <= 0);
+            stack.push_back(value(scene_, scene_.solids[static_cast<std::size_t>(step)], p) <= 0);
             continue;
         }
         const bool top = stack.back();
@@ -186,12 +190,26 @@ bool RayCaster::holds(const CurvedPiece& piece, const glm::dvec3& p) const {
     return stack.empty() || stack.back();
 }
 
+std::vector<double> RayCaster::roots_within(const Bounds& bounds, const Ray& ray,
+                                            const Solid& solid, const glm::dvec3& from,
+                                            const glm::dvec3& along) const {
+    double first = 0, last = 1e9;
+    for (int k = 0; k < 3; ++k) {
+        const double a = (bounds.low[k] - ray.from[k]) / ray.along[k],
+                     b = (bounds.high[k] - ray.from[k]) / ray.along[k];
+        first = std::max(first, std::min(a, b));
+        last = std::min(last, std::max(a, b));
+    }
+    if (first > last) return {};
+    return plain_roots(scene_, solid, from, along, first, last);
+}
+
 void RayCaster::cast_objects(const Ray& ray, Found& found) const {
     for (const CurvedObject& object : scene_.objects) {
         for (std::uint32_t i = 0; i < object.pieces; ++i) {
             const CurvedPiece& piece = scene_.pieces[object.first_piece + i];
             const Solid& solid = scene_.solids[piece.solid];
-            const auto f = [&](double t) { return value(solid, ray.at(t)); };
+            const auto f = [&](double t) { return value(scene_, solid, ray.at(t)); };
             // The ray in the solid's frame, and where it is nearest to the origin there.
             const glm::dvec3 e = solid.to_frame * glm::dvec4(ray.from, 1),
                              d = solid.to_frame * glm::dvec4(ray.along, 0);
@@ -200,9 +218,10 @@ void RayCaster::cast_objects(const Ray& ray, Found& found) const {
             const double reach = (1.1 + solid.coefficients[0]) * step;
             const bool is_torus = solid.kind == Solid::Kind::torus;
             if (is_torus && glm::length(e + middle * d) > 1 + solid.coefficients[0]) continue;
-            const std::vector<double> roots = is_torus
-                                                  ? stepped_roots(f, middle - reach, middle + reach)
-                                                  : parabola_roots(f, middle, wide);
+            const std::vector<double> roots =
+                is_intricate(solid.kind) ? roots_within(object.bounds, ray, solid, e, d)
+                : is_torus               ? stepped_roots(f, middle - reach, middle + reach)
+                                         : parabola_roots(f, middle, wide);
             for (const double t : roots)
                 if (found.nearer(t) && holds(piece, ray.at(t)))
                     found.set(t, piece.surface, piece.material, ray.at(t));

@@ -44,6 +44,9 @@ class RayCaster {
     void cast_objects(const Ray& ray, Found& found) const;
     void cast_unknown(const Ray& ray, Found& found) const;
     bool holds(const CurvedPiece& piece, const glm::dvec3& p) const;
+    /// Of an intricate solid; `from` and `along` are the ray in its frame.
+    std::vector<double> roots_within(const Bounds& bounds, const Ray& ray, const Solid& solid,
+                                     const glm::dvec3& from, const glm::dvec3& along) const;
 
     const DrawableScene& scene_;
     CameraPose pose_;
