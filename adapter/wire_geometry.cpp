@@ -102,6 +102,7 @@ std::optional<std::uint32_t> coefficient_count(Solid::Kind kind) {
         case Solid::Kind::prism:
         case Solid::Kind::conic_prism:
         case Solid::Kind::lathe:
+        case Solid::Kind::surface_of_revolution:
         case Solid::Kind::blob:
             return std::nullopt;
         default:

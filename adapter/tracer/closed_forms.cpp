@@ -16,6 +16,7 @@
 #include "backend/shape/planes.h"
 #include "backend/shape/prism.h"
 #include "backend/shape/quadrics.h"
+#include "backend/shape/sor.h"
 #include "backend/shape/spheres.h"
 #include "backend/shape/super.h"
 #include "backend/shape/torus.h"
@@ -162,8 +163,8 @@ const char* closed_form(const pov::ObjectBase& object, std::vector<ClosedSolid>&
     Builder build(solids, form);
     const char* reason =
         add_as<pov::Sphere, pov::Cone, pov::Box, pov::Plane, pov::Torus, pov::Quadric, pov::Disc,
-               pov::TrueType, pov::Prism, pov::Superellipsoid, pov::Blob, pov::Lathe>(object,
-                                                                                      build);
+               pov::TrueType, pov::Prism, pov::Superellipsoid, pov::Blob, pov::Lathe, pov::Sor>(
+            object, build);
     if (reason == nullptr && !build.sound()) return "numbers that are not finite";
     return reason;
 }

@@ -53,6 +53,12 @@ const char* CurvedPieces::build(const pov::ObjectBase& object, const Clips& clip
     return nullptr;
 }
 
+std::size_t CurvedPieces::numbers() const {
+    std::size_t sum = 0;
+    for (const ClosedSolid& solid : solids_) sum += solid.numbers.size();
+    return sum;
+}
+
 const char* CurvedPieces::add(const pov::ObjectBase& object, int depth, Part& part) {
     if (depth > max_nesting) return "nested too deep";
     const char* reason =

@@ -29,6 +29,8 @@ class CurvedPieces {
     const char* build(const pov::ObjectBase& object, const Clips& clips);
 
     const std::vector<ClosedSolid>& solids() const { return solids_; }
+    /// That its solids have in all.
+    std::size_t numbers() const;
     /// None of them is nowhere.
     const std::vector<Piece>& pieces() const { return pieces_; }
 

@@ -179,7 +179,8 @@ const char* GeometryExport::add_compound(const pov::ObjectBase& object) {
 const char* GeometryExport::add_pieces(const Waiting& part, const BoxFacts& box) {
     CurvedPieces curved;
     if (const char* reason = curved.build(*part.object, part.clips)) return reason;
-    if (curved.pieces().size() > max_pieces - std::min(max_pieces, writer_.pieces()))
+    if (curved.pieces().size() > max_pieces - std::min(max_pieces, writer_.pieces()) ||
+        curved.numbers() > max_numbers - std::min(max_numbers, writer_.numbers()))
         return "too many pieces";
     std::vector<PieceFacts> pieces;
     for (const CurvedPieces::Piece& piece : curved.pieces()) {

@@ -15,8 +15,9 @@ namespace povpreview::tracer {
 /// Only reads the scene.
 class GeometryExport {
    public:
-    /// Polygons in all; objects that would exceed it are left out.
-    static constexpr std::size_t max_polygons = 400000, max_pieces = 400000;
+    /// Polygons in all, pieces, and numbers of their solids; objects that would exceed it are left
+    /// out.
+    static constexpr std::size_t max_polygons = 400000, max_pieces = 400000, max_numbers = 2000000;
 
     struct Surroundings {
         const SurfaceIndex& surfaces;

@@ -34,6 +34,7 @@ enum class SolidKind : std::uint8_t {
     prism,
     conic_prism,
     lathe,
+    surface_of_revolution,
     blob
 };
 

@@ -62,7 +62,7 @@ void GeometryWriter::add(const CurvedPieces& object, const std::vector<PieceFact
     send_if_full();
     const auto first_solid = static_cast<std::uint32_t>(chunk_.solids.size());
     chunk_.solids.insert(chunk_.solids.end(), object.solids().begin(), object.solids().end());
-    for (const ClosedSolid& solid : object.solids()) chunk_numbers_ += solid.numbers.size();
+    chunk_numbers_ += object.numbers();
     for (std::size_t i = 0; i < object.pieces().size(); ++i) {
         const CurvedPieces::Piece& piece = object.pieces()[i];
         for (const std::int32_t step : piece.where.steps())
@@ -73,6 +73,7 @@ void GeometryWriter::add(const CurvedPieces& object, const std::vector<PieceFact
         chunk_.pieces.push_back(complete);
     }
     pieces_ += object.pieces().size();
+    numbers_ += object.numbers();
     chunk_.objects.push_back({bounds, static_cast<std::uint32_t>(object.pieces().size())});
 }
 

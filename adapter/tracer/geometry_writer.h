@@ -40,6 +40,7 @@ class GeometryWriter {
 
     std::size_t polygons() const { return polygons_; }
     std::size_t pieces() const { return pieces_; }
+    std::size_t numbers() const { return numbers_; }  ///< of solids
 
    private:
     /// Of points, corners or whatever there is most of in a chunk; about half a megabyte.
@@ -57,7 +58,7 @@ class GeometryWriter {
     const ObjectFaces* object_ = nullptr;
     std::vector<std::uint32_t> index_of_;  ///< in the chunk, by point of the object; plus 1, or 0
     std::vector<std::uint32_t> indexed_;   ///< points of the object that have an index
-    std::size_t polygons_ = 0, pieces_ = 0;
+    std::size_t polygons_ = 0, pieces_ = 0, numbers_ = 0;
 };
 
 }  // namespace povpreview::tracer

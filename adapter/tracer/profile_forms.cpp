@@ -7,9 +7,11 @@
 // The order of POV-Ray's headers matters: frame.h first, povdebug.h last.
 // clang-format off
 #include "backend/frame.h"
+#include "backend/bounding/bcyl.h"
 #include "backend/scene/objects.h"
 #include "backend/shape/lathe.h"
 #include "backend/shape/prism.h"
+#include "backend/shape/sor.h"
 #include "backend/shape/truetype.h"
 // clang-format on
 
@@ -20,6 +22,11 @@
 namespace povpreview::tracer {
 
 namespace {
+
+/// What POV-Ray calls the parts of a surface of revolution, and the least squared radius of ends
+/// that it shows (sor.cpp).
+constexpr int base_of_sor = 1, cap_of_sor = 2, curve_of_sor = 3;
+constexpr double least_end = 1e-4;
 
 /// Segments of one outline; each ray looks at all of them.
 constexpr std::size_t max_segments = 2000;
@@ -111,6 +118,19 @@ void add_contour(const std::vector<pov::TrueType::OutlinePoint>& points,
     }
 }
 
+/// Of the height between two, the square of the radius A h^3 + B h^2 + C h + D.
+Segment squared_radii(const pov::SOR_SPLINE_ENTRY& s, double low, double high) {
+    // The polynomial's polar form at (low, ..., high, ...).
+    const auto polar = [&s](double a, double b, double c) {
+        return s.A * a * b * c + s.B * (a * b + b * c + c * a) / 3 + s.C * (a + b + c) / 3 + s.D;
+    };
+    const double third = (high - low) / 3;
+    return {ControlPoint{polar(low, low, low), low},
+            ControlPoint{polar(low, low, high), low + third},
+            ControlPoint{polar(low, high, high), high - third},
+            ControlPoint{polar(high, high, high), high}};
+}
+
 /// Row 2 is along the axis, here y.
 LocalFrame around_y(const LocalFrame& own) { return {{own.row[0], own.row[2], own.row[1]}}; }
 
@@ -173,6 +193,34 @@ const char* add(const pov::Lathe& lathe, Builder& build) {
         build.solid(SolidKind::lathe, around_y(own_frame(lathe.Trans)), numbers_of(segments));
     build.side(solid, {}, Condition::everywhere());
     build.inside(Condition::inside(solid), lathe);
+    return nullptr;
+}
+
+const char* add(const pov::Sor& sor, Builder& build) {
+    if (sor.Number > static_cast<int>(max_segments)) return "too many corners";
+    std::vector<Segment> segments;
+    for (int i = 0; i < sor.Number; ++i) {
+        const pov::BCYL& bounds = *sor.Spline->BCyl;
+        segments.push_back(squared_radii(sor.Spline->Entry[i], bounds.height[bounds.entry[i].h1],
+                                         bounds.height[bounds.entry[i].h2]));
+        if (i > 0) segments[segments.size() - 2].back() = segments.back().front();
+    }
+    const LocalFrame frame = around_y(own_frame(sor.Trans));
+    const std::uint32_t sides = build.solid(SolidKind::surface_of_revolution, frame,
+                                            numbers_of(segments)),
+                        cap = build.half_space(shifted(frame.row[2], -sor.Height2)),
+                        base = build.half_space(shifted(scaled(frame.row[2], -1), sor.Height1));
+    build.side(sides, {curve_of_sor, 0}, Condition::everywhere());
+    const auto add_end = [&](std::uint32_t end, int number, double squared_radius) {
+        if (!Test_Flag(&sor, CLOSED_FLAG) || !(squared_radius > least_end)) return;
+        LocalFrame round = frame;
+        for (std::size_t i = 0; i < 2; ++i)
+            round.row[i] = scaled(frame.row[i], 1 / std::sqrt(squared_radius));
+        build.side(end, {number, 0}, Condition::inside(build.solid(SolidKind::cylinder, round)));
+    };
+    add_end(base, base_of_sor, sor.Base_Radius_Squared);
+    add_end(cap, cap_of_sor, sor.Cap_Radius_Squared);
+    build.inside(Condition::inside(sides) & Condition::inside(cap) & Condition::inside(base), sor);
     return nullptr;
 }
 

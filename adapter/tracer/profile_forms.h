@@ -4,6 +4,7 @@
 namespace pov {
 class Lathe;
 class Prism;
+class Sor;
 class TrueType;
 }  // namespace pov
 
@@ -18,5 +19,6 @@ const char* add(const pov::Prism& prism, Builder& build);
 const char* add(const pov::TrueType& letter, Builder& build);
 /// Turned around y.
 const char* add(const pov::Lathe& lathe, Builder& build);
+const char* add(const pov::Sor& sor, Builder& build);
 
 }  // namespace povpreview::tracer

@@ -36,7 +36,9 @@ struct Solid {
         prism,        ///< (x, y) inside an outline, endless along z
         conic_prism,  ///< (x / z, y / z) inside an outline, on both sides of the apex, endless
         lathe,        ///< (sqrt(x^2 + y^2), z) inside an outline
-        blob          ///< threshold - sum of the components' fields
+        /// (x^2 + y^2, z) inside an outline, which may be open towards smaller u
+        surface_of_revolution,
+        blob  ///< threshold - sum of the components' fields
     };
     Kind kind = Kind::sphere;
     glm::dmat4x3 to_frame{1};  ///< from the world; need not keep angles

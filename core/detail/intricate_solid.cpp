@@ -21,6 +21,7 @@ bool is_intricate(Solid::Kind kind) {
         case Solid::Kind::prism:
         case Solid::Kind::conic_prism:
         case Solid::Kind::lathe:
+        case Solid::Kind::surface_of_revolution:
         case Solid::Kind::blob:
             return true;
         default:
@@ -40,6 +41,7 @@ bool is_sound(const DrawableScene& scene, const Solid& solid) {
         case Solid::Kind::prism:
         case Solid::Kind::conic_prism:
         case Solid::Kind::lathe:
+        case Solid::Kind::surface_of_revolution:
             return !numbers.empty() && numbers.size() % outline_numbers_a_segment == 0;
         case Solid::Kind::blob:
             return numbers.size() % blob_numbers_a_component == 1;
@@ -56,7 +58,9 @@ std::unique_ptr<IntricateSolid> prepared(const DrawableScene& scene, const Solid
         case Solid::Kind::conic_prism:
             return prepared_prism(numbers, true);
         case Solid::Kind::lathe:
-            return prepared_lathe(numbers);
+            return prepared_lathe(numbers, false);
+        case Solid::Kind::surface_of_revolution:
+            return prepared_lathe(numbers, true);
         case Solid::Kind::blob:
             return prepared_blob(numbers);
         default:

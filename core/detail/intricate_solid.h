@@ -44,7 +44,7 @@ std::unique_ptr<IntricateSolid> prepared(const DrawableScene& scene, const Solid
 // -- one for each family
 
 std::unique_ptr<IntricateSolid> prepared_prism(std::span<const double> outline, bool conic);
-std::unique_ptr<IntricateSolid> prepared_lathe(std::span<const double> outline);
+std::unique_ptr<IntricateSolid> prepared_lathe(std::span<const double> outline, bool squared);
 std::unique_ptr<IntricateSolid> prepared_blob(std::span<const double> numbers);
 std::unique_ptr<IntricateSolid> prepared_superellipsoid(double around, double along);
 

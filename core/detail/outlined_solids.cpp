@@ -72,17 +72,19 @@ class Prism final : public IntricateSolid {
 
 Bernstein<6> raised(const Bernstein<3>& f) { return bernstein_product<3, 3>(f, {1, 1, 1, 1}); }
 
-/// (distance from the z axis, z) lies within the outline (u, v).
+/// (distance from the z axis, z) lies within the outline (u, v), or its square does.
 ///
 /// The ray o + t d is at the height v at t = (v - oz) / dz, and there on the surface if
-/// |dz o.xy + (v - oz) d.xy|^2 = dz^2 u^2: of a cubic outline a polynomial of degree 6.
+/// |dz o.xy + (v - oz) d.xy|^2 = dz^2 u^2 (or u): of a cubic outline a polynomial of degree 6.
 class Lathe final : public IntricateSolid {
    public:
-    explicit Lathe(std::span<const double> outline) : outline_(outline) {
+    Lathe(std::span<const double> outline, bool squared) : outline_(outline), squared_(squared) {
         for (const Outline::Segment& s : outline_.segments()) {
-            parts_.push_back({raised(s.v), bernstein_product<3, 3>(s.u, s.u),
+            parts_.push_back({raised(s.v),
+                              squared ? raised(s.u) : bernstein_product<3, 3>(s.u, s.u),
                               bernstein_product<3, 3>(s.v, s.v)});
-            radius_ = std::max({radius_, std::abs(s.low.x), std::abs(s.high.x)});
+            const double reach = std::max(std::abs(s.low.x), std::abs(s.high.x));
+            radius_ = std::max(radius_, squared ? std::sqrt(reach) : reach);
         }
     }
 
@@ -106,12 +108,12 @@ class Lathe final : public IntricateSolid {
     }
 
     double value(const glm::dvec3& p) const override {
-        return outline_.side({std::hypot(p.x, p.y), p.z});
+        return outline_.side({squared_ ? p.x * p.x + p.y * p.y : std::hypot(p.x, p.y), p.z});
     }
     std::size_t cost() const override { return 8 + 16 * parts_.size(); }
 
    private:
-    /// Of a segment: v, u^2 and v^2.
+    /// Of a segment: v, the square of the distance, and v^2.
     struct Part {
         Bernstein<6> v, uu, vv;
     };
@@ -123,7 +125,8 @@ class Lathe final : public IntricateSolid {
             Bernstein<3> above = segment.v;
             for (double& v : above) v -= ray.from.z;
             for (const double s : BernsteinRoots<3>(above)) {
-                const double u = segment.at(s).x, square = b * b - a * (glm::dot(o, o) - u * u);
+                const double u = segment.at(s).x, uu = squared_ ? u : u * u;
+                const double square = b * b - a * (glm::dot(o, o) - uu);
                 if (square < 0) continue;
                 roots.push_back((-b - std::sqrt(square)) / a);
                 roots.push_back((-b + std::sqrt(square)) / a);
@@ -133,6 +136,7 @@ class Lathe final : public IntricateSolid {
 
     Outline outline_;
     std::vector<Part> parts_;
+    bool squared_;
     double radius_ = 0;
 };
 
@@ -142,8 +146,8 @@ std::unique_ptr<IntricateSolid> prepared_prism(std::span<const double> outline, 
     return std::make_unique<Prism>(outline, conic);
 }
 
-std::unique_ptr<IntricateSolid> prepared_lathe(std::span<const double> outline) {
-    return std::make_unique<Lathe>(outline);
+std::unique_ptr<IntricateSolid> prepared_lathe(std::span<const double> outline, bool squared) {
+    return std::make_unique<Lathe>(outline, squared);
 }
 
 }  // namespace povpreview

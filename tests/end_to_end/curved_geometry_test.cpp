@@ -126,11 +126,13 @@ lathe { cubic_spline 7, <0,-1>, <.1,-.9>, <.8,-.5>, <.3,.1>, <.7,.8>, <.5,1>, <.
   translate <-3,.5,0> pigment { rgb x } }
 lathe { bezier_spline 4, <.2,-.5>, <1.4,-.4>, <.05,.6>, <.5,.8> rotate <60,0,20> translate <-1,1.5,0> }
 lathe { linear_spline 5, <.3,0>, <.9,.2>, <.6,.5>, <.9,.9>, <.3,0> translate <-.8,-1.4,-1> }
+sor { 6, <0,-.9>, <.3,-.8>, <.5,-.2>, <.2,.3>, <.5,.8>, <.5,1> rotate <-30,0,20> translate <-2,-.9,-2> }
+sor { 4, <.2,-.5>, <.2,-.4>, <.4,.3>, <.4,.4> open rotate 60*x translate <.3,2.6,0> }
 superellipsoid { <.3,.3> rotate <20,30,0> translate <1.2,1.2,0> pigment { rgb y } }
 superellipsoid { <1,.2> scale .8 rotate <-60,30,0> translate <3.4,1,0> }
 superellipsoid { <1.5,.7> scale .8 rotate <20,0,50> translate <1.5,-.6,-1> }
 difference { superellipsoid { <.2,.2> scale .8 } lathe { quadratic_spline 4, <.2,-1>, <.3,-.9>, <.6,0>, <.2,.9> }
-  rotate <30,20,0> translate <3.2,-.5,-1> })",
+  sor { 4, <.1,-1.2>, <.2,-1>, <.3,1>, <.3,1.2> rotate 90*x } rotate <30,20,0> translate <3.2,-.5,-1> })",
      1, .1},
     {"blobs",
      R"(

@@ -145,6 +145,15 @@ TEST_P(IntricateSolids, Lathes) {
     expect_right(made, 2000, .02);
 }
 
+TEST_P(IntricateSolids, SurfacesOfRevolution) {
+    ItemScene made = empty_scene(GetParam());
+    // Squares of radii at four heights, and again: two segments, open at both ends.
+    made.piece(made.listed_solid(Solid::Kind::surface_of_revolution, slanted,
+                                 {.2, -1, 2, -.6, .3, -.3, .5, 0, .5, 0, .9, .3, 1.5, .6, .6, 1}));
+    made.object(around_all);
+    expect_right(made, 2000, .02);
+}
+
 TEST_P(IntricateSolids, Superellipsoids) {
     int kind = 0;
     for (const auto& [around, along] : {std::pair(2., 2.), std::pair(8., 2.), std::pair(2., 20.),

@@ -62,7 +62,9 @@ void add_ring_roots(const Chord& chord, const glm::dvec3& o, const glm::dvec3& d
         const glm::dvec3 p = o + t * d;
         const glm::dvec2 q(std::hypot(p.x, p.y), p.z), ab = chord.b - chord.a;
         const double share = glm::dot(q - chord.a, ab) / glm::dot(ab, ab);
-        if (share >= 0 && share < 1) roots.push_back(t);
+        // Not where the cone goes on beyond its apex.
+        const bool on_chord = glm::distance(q, chord.a + share * ab) < 1e-6;
+        if (share >= 0 && share < 1 && on_chord) roots.push_back(t);
     };
     if (std::fabs(height) < 1e-12) return add((chord.a.y - o.z) / d.z);
     const double slope = (chord.b.x - chord.a.x) / height,
@@ -101,6 +103,8 @@ double plain_value(const DrawableScene& scene, const Solid& solid, const glm::dv
             return side_of(chords_of(scene, solid), glm::dvec2(p) / p.z);
         case Solid::Kind::lathe:
             return side_of(chords_of(scene, solid), {std::hypot(p.x, p.y), p.z});
+        case Solid::Kind::surface_of_revolution:
+            return side_of(chords_of(scene, solid), {p.x * p.x + p.y * p.y, p.z});
         case Solid::Kind::blob:
             return scene.numbers[solid.first_number] - field(scene, solid, p);
         default:
@@ -124,11 +128,15 @@ std::vector<double> plain_roots(const DrawableScene& scene, const Solid& solid,
                 add_wall_roots(chord, solid.kind == Solid::Kind::conic_prism, from, along, roots);
             break;
         case Solid::Kind::lathe:
-            for (const Chord& chord : chords_of(scene, solid))
+        case Solid::Kind::surface_of_revolution:
+            for (Chord chord : chords_of(scene, solid)) {
+                if (solid.kind == Solid::Kind::surface_of_revolution)
+                    for (glm::dvec2* p : {&chord.a, &chord.b}) p->x = std::sqrt(p->x);
                 add_ring_roots(chord, from, along, roots);
+            }
             break;
         default: {
-            constexpr int steps = 500;
+            constexpr int steps = 250;
             const auto at = [&](double t) { return plain_value(scene, solid, from + t * along); };
             double before = first;
             for (int i = 1; i <= steps; ++i) {

@@ -15,7 +15,7 @@ namespace povpreview::test {
 double plain_value(const DrawableScene& scene, const Solid& solid, const glm::dvec3& p);
 /// Where a ray from + t along, in the solid's frame, meets its surface for t in [first, last]. Of
 /// fields, where two places are farther apart
-/// than a five-hundredth of that.
+/// than a part in 250 of that.
 std::vector<double> plain_roots(const DrawableScene& scene, const Solid& solid,
                                 const glm::dvec3& from, const glm::dvec3& along, double first,
                                 double last);
