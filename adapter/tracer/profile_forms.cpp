@@ -192,7 +192,13 @@ const char* add(const pov::Lathe& lathe, Builder& build) {
     const std::uint32_t solid =
         build.solid(SolidKind::lathe, around_y(own_frame(lathe.Trans)), numbers_of(segments));
     build.side(solid, {}, Condition::everywhere());
-    build.inside(Condition::inside(solid), lathe);
+    Condition inside = Condition::inside(solid);
+    if (lathe.Radius1 > 0) {  // nothing nearer to the axis is inside, even if the curve is open
+        LocalFrame hole = around_y(own_frame(lathe.Trans));
+        for (std::size_t i = 0; i < 2; ++i) hole.row[i] = scaled(hole.row[i], 1 / lathe.Radius1);
+        inside = inside & !Condition::inside(build.solid(SolidKind::cylinder, hole));
+    }
+    build.inside(inside, lathe);
     return nullptr;
 }
 

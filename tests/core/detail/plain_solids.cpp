@@ -121,6 +121,14 @@ std::vector<double> plain_roots(const DrawableScene& scene, const Solid& solid,
                                 const glm::dvec3& from, const glm::dvec3& along, double first,
                                 double last) {
     std::vector<double> roots;
+    const auto at = [&](double t) { return plain_value(scene, solid, from + t * along); };
+    const auto add_root_between = [&](double a, double b) {
+        const bool negative = at(a) < 0;
+        if (negative == (at(b) < 0)) return;
+        for (int halving = 0; halving < 60; ++halving)
+            ((at((a + b) / 2) < 0) == negative ? a : b) = (a + b) / 2;
+        roots.push_back(a);
+    };
     switch (solid.kind) {
         case Solid::Kind::prism:
         case Solid::Kind::conic_prism:
@@ -135,20 +143,22 @@ std::vector<double> plain_roots(const DrawableScene& scene, const Solid& solid,
                 add_ring_roots(chord, from, along, roots);
             }
             break;
+        case Solid::Kind::superellipsoid: {
+            // Convex along the ray: its roots are on both sides of where it is least.
+            double a = first, b = last;
+            for (int cut = 0; cut < 60; ++cut) {
+                const double low = a + (b - a) * .38, high = a + (b - a) * .62;
+                (at(low) < at(high) ? b : a) = at(low) < at(high) ? high : low;
+            }
+            add_root_between(first, a);
+            add_root_between(a, last);
+            break;
+        }
         default: {
             constexpr int steps = 250;
-            const auto at = [&](double t) { return plain_value(scene, solid, from + t * along); };
-            double before = first;
-            for (int i = 1; i <= steps; ++i) {
-                const double now = first + (last - first) * i / steps;
-                double a = before, b = now;
-                before = now;
-                const bool negative = at(a) < 0;
-                if (negative == (at(b) < 0)) continue;
-                for (int halving = 0; halving < 60; ++halving)
-                    ((at((a + b) / 2) < 0) == negative ? a : b) = (a + b) / 2;
-                roots.push_back(a);
-            }
+            for (int i = 0; i < steps; ++i)
+                add_root_between(first + (last - first) * i / steps,
+                                 first + (last - first) * (i + 1) / steps);
         }
     }
     roots.erase(std::remove_if(roots.begin(), roots.end(),

@@ -13,9 +13,8 @@ namespace povpreview::test {
 
 /// Negative inside; in the solid's frame. Of outlines the sign alone means something.
 double plain_value(const DrawableScene& scene, const Solid& solid, const glm::dvec3& p);
-/// Where a ray from + t along, in the solid's frame, meets its surface for t in [first, last]. Of
-/// fields, where two places are farther apart
-/// than a part in 250 of that.
+/// Where a ray from + t along, in the solid's frame, meets its surface for t in [first, last]; of
+/// blobs only what is farther apart than a part in 250 of that.
 std::vector<double> plain_roots(const DrawableScene& scene, const Solid& solid,
                                 const glm::dvec3& from, const glm::dvec3& along, double first,
                                 double last);
