@@ -178,7 +178,7 @@ TEST(GeometryOnTheWire, ConditionsThatDoNotRunAreRefused) {
     EXPECT_FALSE(refused({}));
     EXPECT_FALSE(refused({2}));
     EXPECT_FALSE(refused({0, 1, condition_not, condition_and, 2, condition_or}));
-    EXPECT_TRUE(refused({3}));
+    EXPECT_TRUE(refused({5}));
     EXPECT_TRUE(refused({condition_not}));
     EXPECT_TRUE(refused({0, condition_and}));
     EXPECT_TRUE(refused({0, 1}));
