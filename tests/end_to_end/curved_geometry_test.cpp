@@ -104,7 +104,7 @@ difference { box { <-3,-1,-1.5>, <3,.3,-1> } text { ttf "cyrvetic.ttf" "eBa" .5,
   translate <-1,-.7,-1.7> } texture { pigment { rgb y } } }
 intersection { sphere { 0, 1 } text { ttf "timrom.ttf" "S" 4, 0 scale 2 translate <-.5,-.6,-2> inverse }
   translate <3.2,0,-2> })",
-     1, .1},
+     1, .1, 5e-4},  // where the chords that stand for curves here are not fine enough
     {"prisms",
      R"(
 #declare Curve = prism { cubic_spline -.5, .6, 7, <.2,-1>, <.9,-.3>, <.5,.8>, <-.8,.6>, <-.6,-.7>, <.9,-.3>, <.5,.8> }
@@ -143,7 +143,7 @@ blob { threshold .5 sphere { 0, 1, 1 scale <1.5,.6,1> rotate 30*z } cylinder { -
   scale .9 rotate <20,0,-30> translate <1.2,1,0> }
 difference { blob { threshold .4 sphere { 0, 1, 1 } sphere { <.8,.3,0>, .9, 1 } } sphere { <.3,.2,-.7>, .6 }
   box { -2, <2,-.3,2> } translate <2.6,-.4,-1> pigment { rgb y } })",
-     1, .1},
+     1, .05},
     {"unions_beside_what_is_unknown",
      R"(
 plane { y, -1 }

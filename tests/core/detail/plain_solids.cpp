@@ -2,6 +2,7 @@
 #include "tests/core/detail/plain_solids.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <glm/glm.hpp>
@@ -14,11 +15,16 @@ struct Chord {
     glm::dvec2 a, b;
 };
 
-std::vector<Chord> chords_of(const DrawableScene& scene, const Solid& solid) {
+/// `wanted`: whether a segment matters, by its control points.
+template <class Wanted>
+std::vector<Chord> chords_of(const DrawableScene& scene, const Solid& solid, const Wanted& wanted) {
     constexpr int chords_a_segment = 100;
     std::vector<Chord> chords;
     for (std::uint32_t first = 0; first < solid.numbers; first += outline_numbers_a_segment) {
         const double* n = &scene.numbers[solid.first_number + first];
+        if (!wanted(std::array{glm::dvec2(n[0], n[1]), glm::dvec2(n[2], n[3]),
+                               glm::dvec2(n[4], n[5]), glm::dvec2(n[6], n[7])}))
+            continue;
         const auto at = [n](int i) {
             const double t = double(i) / chords_a_segment, s = 1 - t;
             const double w[4] = {s * s * s, 3 * s * s * t, 3 * s * t * t, t * t * t};
@@ -31,9 +37,20 @@ std::vector<Chord> chords_of(const DrawableScene& scene, const Solid& solid) {
     return chords;
 }
 
-double side_of(const std::vector<Chord>& chords, const glm::dvec2& p) {
+using ControlPoints = std::array<glm::dvec2, 4>;
+
+double side_of(const DrawableScene& scene, const Solid& solid, const glm::dvec2& p) {
+    const auto may_cross = [&p](const ControlPoints& points) {
+        bool above = false, below = false, right = false;
+        for (const glm::dvec2& q : points) {
+            above = above || q.y >= p.y;
+            below = below || q.y <= p.y;
+            right = right || q.x >= p.x;
+        }
+        return above && below && right;
+    };
     bool inside = false;
-    for (const auto& [a, b] : chords)
+    for (const auto& [a, b] : chords_of(scene, solid, may_cross))
         if ((a.y < p.y) != (b.y < p.y))
             inside ^= a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x) > p.x;
     return inside ? -1 : 1;
@@ -98,13 +115,13 @@ double plain_value(const DrawableScene& scene, const Solid& solid, const glm::dv
     const auto& c = solid.coefficients;
     switch (solid.kind) {
         case Solid::Kind::prism:
-            return side_of(chords_of(scene, solid), glm::dvec2(p));
+            return side_of(scene, solid, glm::dvec2(p));
         case Solid::Kind::conic_prism:
-            return side_of(chords_of(scene, solid), glm::dvec2(p) / p.z);
+            return side_of(scene, solid, glm::dvec2(p) / p.z);
         case Solid::Kind::lathe:
-            return side_of(chords_of(scene, solid), {std::hypot(p.x, p.y), p.z});
+            return side_of(scene, solid, {std::hypot(p.x, p.y), p.z});
         case Solid::Kind::surface_of_revolution:
-            return side_of(chords_of(scene, solid), {p.x * p.x + p.y * p.y, p.z});
+            return side_of(scene, solid, {p.x * p.x + p.y * p.y, p.z});
         case Solid::Kind::blob:
             return scene.numbers[solid.first_number] - field(scene, solid, p);
         default:
@@ -129,15 +146,27 @@ std::vector<double> plain_roots(const DrawableScene& scene, const Solid& solid,
             ((at((a + b) / 2) < 0) == negative ? a : b) = (a + b) / 2;
         roots.push_back(a);
     };
+    // On both sides of the ray, as seen along the sweep or from the apex.
+    const glm::dvec3 sweep(0, 0, 1);
+    const auto may_be_met = [&](const ControlPoints& points) {
+        bool left = false, right = false;
+        for (const glm::dvec2& q : points) {
+            const double side = solid.kind == Solid::Kind::prism
+                                    ? glm::dot(glm::cross(sweep, along), glm::dvec3(q, 0) - from)
+                                    : glm::dot(glm::cross(from, along), glm::dvec3(q, 1));
+            (side < 0 ? left : right) = true;
+        }
+        return left && right;
+    };
     switch (solid.kind) {
         case Solid::Kind::prism:
         case Solid::Kind::conic_prism:
-            for (const Chord& chord : chords_of(scene, solid))
+            for (const Chord& chord : chords_of(scene, solid, may_be_met))
                 add_wall_roots(chord, solid.kind == Solid::Kind::conic_prism, from, along, roots);
             break;
         case Solid::Kind::lathe:
         case Solid::Kind::surface_of_revolution:
-            for (Chord chord : chords_of(scene, solid)) {
+            for (Chord chord : chords_of(scene, solid, [](const ControlPoints&) { return true; })) {
                 if (solid.kind == Solid::Kind::surface_of_revolution)
                     for (glm::dvec2* p : {&chord.a, &chord.b}) p->x = std::sqrt(p->x);
                 add_ring_roots(chord, from, along, roots);
