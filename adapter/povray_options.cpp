@@ -8,7 +8,9 @@
 #include <charconv>
 #include <cstdlib>
 #include <fstream>
+#include <iterator>
 #include <optional>
+#include <set>
 
 #include "adapter/povray_words.h"
 #include "adapter/scene.h"
@@ -46,16 +48,20 @@ class Reader {
     /// Where the scene lies. Throws if there is none, or more than one was named.
     fs::path scene() const;
     void check_size() const;
+    /// All that is read on the way to the scene's samples.
+    std::vector<fs::path> readable() const;
+    std::vector<std::string> departures() const;
 
    private:
     void read_ini(const std::string& specification, int depth);
     void read_ini_file(const fs::path& file, const std::string& section, int depth);
-    void take(const PovrayWord& word, int depth);
+    void take(std::string_view text, int depth);
     std::optional<fs::path> find(const std::string& name) const;
 
     std::vector<std::string> named_;  ///< scenes, on the command line
     std::string in_ini_;              ///< the last scene that an INI file names
-    std::vector<fs::path> libraries_;
+    std::vector<fs::path> libraries_, inis_;
+    std::set<Departure> departures_;
     std::int64_t width_ = 1, height_ = 1;  ///< as far as the command line says
 };
 
@@ -88,12 +94,14 @@ void Reader::read(const std::string& argument) {
         if (word.kind == Kind::input)
             named_.push_back(word.value);
         else
-            take(word, 0);
+            take(text, 0);
     }
 }
 
 /// The settings that mean the same on the command line and in an INI file `depth` - 1 levels down.
-void Reader::take(const PovrayWord& word, int depth) {
+void Reader::take(std::string_view text, int depth) {
+    const PovrayWord word = read_word(text);
+    departures_.insert(departure_of(text));
     if (word.kind == Kind::input) in_ini_ = word.value;
     if (word.kind == Kind::library) libraries_.emplace_back(word.value);
     if (word.kind == Kind::ini) read_ini(word.value, depth);
@@ -126,6 +134,7 @@ void Reader::read_ini_file(const fs::path& file, const std::string& section, int
                    std::tolower(static_cast<unsigned char>(y));
         });
     };
+    inis_.push_back(file);
     std::ifstream stream(file);
     bool ours = true;  // what stands before the first section belongs to all
     for (std::string line; std::getline(stream, line);) {
@@ -135,9 +144,9 @@ void Reader::read_ini_file(const fs::path& file, const std::string& section, int
         if (line.starts_with('['))
             ours = !section.empty() && same(line.substr(1, line.find(']') - 1), section);
         else if (ours && line.find('=') != std::string::npos && line[0] != '+' && line[0] != '-')
-            take(read_word(line), depth + 1);
+            take(line, depth + 1);
         else if (ours)
-            for (const std::string& word : split_words(line)) take(read_word(word), depth + 1);
+            for (const std::string& word : split_words(line)) take(word, depth + 1);
     }
 }
 
@@ -179,6 +188,50 @@ void Reader::check_size() const {
                     fmt::format("choose +W and +H for at most {} pixels", max_image_pixels));
 }
 
+std::vector<fs::path> Reader::readable() const {
+    std::vector<fs::path> result = libraries_;
+    result.insert(result.end(), inis_.begin(), inis_.end());
+    result.push_back(fs::absolute(scene()).parent_path());
+    result.emplace_back(".");
+    // POV-Ray's own settings.
+    result.emplace_back("/etc/povray");
+    result.emplace_back("/usr/share/povray-3.7");
+    if (const char* home = std::getenv("HOME")) result.push_back(fs::path(home) / ".povray");
+    return result;
+}
+
+std::vector<std::string> Reader::departures() const {
+    std::vector<std::string> result;
+    for (const Departure departure : departures_) switch (departure) {
+            case Departure::none:
+                break;
+            case Departure::saves_radiosity:
+                result.emplace_back(
+                    "the radiosity file is not saved: a preview writes no files of POV-Ray's but "
+                    "the image of --finish");
+                break;
+            case Departure::runs_command:
+                result.emplace_back("commands before and after the render are not run");
+                break;
+            case Departure::mosaic:
+                result.emplace_back(
+                    "+SP and +EP are not used: povpreview has its own order of samples; --method "
+                    "mosaic shows POV-Ray's");
+                break;
+            case Departure::continues:
+                result.emplace_back(
+                    "+C is not used: --session and --resume go on with an earlier run");
+                break;
+            case Departure::animation:
+                result.emplace_back("one frame is shown, the first; +K sets another clock");
+                break;
+            case Departure::writes_messages:
+                result.emplace_back("POV-Ray's messages are not written to files");
+                break;
+        }
+    return result;
+}
+
 }  // namespace
 
 PovrayOptions read_povray_options(const std::vector<std::string>& words) {
@@ -190,14 +243,30 @@ PovrayOptions read_povray_options(const std::vector<std::string>& words) {
     }
     reader.check_size();
     result.scene = reader.scene();
+    result.readable = reader.readable();
+    result.departures = reader.departures();
     return result;
 }
 
-std::vector<std::string> PovrayOptions::tracer_arguments() const {
-    std::vector<std::string> result = words;
+std::vector<std::string> PovrayOptions::tracer_arguments(bool finish) const {
+    std::vector<std::string> result;
+    // A word whose file POV-Ray may not write would end it.
+    const auto passed_on = [](const std::string& word) {
+        return departure_of(word) != Departure::writes_messages;
+    };
+    std::copy_if(words.begin(), words.end(), std::back_inserter(result), passed_on);
     // One frame even where an INI file describes an animation; which one, +K says.
-    for (const char* forced : {"Initial_Frame=1", "Final_Frame=1", "-D", "-F", "-P", "-C"})
+    for (const char* forced : {"Initial_Frame=1", "Final_Frame=1", "-D", "-P", "-C", "-RFO"})
         result.emplace_back(forced);
+    if (!finish) result.emplace_back("-F");
+    return result;
+}
+
+std::vector<std::string> PovrayOptions::sample_words() const {
+    std::vector<std::string> result;
+    for (const std::string& argument : words)
+        for (std::string& word : split_words(argument))
+            if (samples_depend_on(word)) result.push_back(std::move(word));
     return result;
 }
 

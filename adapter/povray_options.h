@@ -13,9 +13,18 @@ namespace povpreview {
 struct PovrayOptions {
     std::vector<std::string> words;  ///< as POV-Ray is to get them: file names with blanks quoted
     std::filesystem::path scene;     ///< where the scene file was found
+    /// What a tracer must be able to read: the folders of the scene and of the libraries, the
+    /// working folder, and the INI files.
+    std::vector<std::filesystem::path> readable;
+    /// What povpreview does otherwise than these words ask of POV-Ray, a sentence each.
+    std::vector<std::string> departures;
 
-    /// For the patched POV-Ray: the user's words; no files, no window, one frame.
-    std::vector<std::string> tracer_arguments() const;
+    /// For the patched POV-Ray: the user's words; no files but, to `finish`, its image; no window,
+    /// one frame.
+    std::vector<std::string> tracer_arguments(bool finish = false) const;
+    /// The words on which samples may depend; with the files that they name they say whether
+    /// samples of an earlier run can be used.
+    std::vector<std::string> sample_words() const;
     /// For the stock POV-Ray: the same picture, complete and not anti-aliased, as a 16 bit PNG in
     /// sRGB encoding and without alpha at `output`; messages only if it fails.
     std::vector<std::string> stock_arguments(const std::filesystem::path& output) const;

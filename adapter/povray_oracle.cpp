@@ -32,6 +32,13 @@ std::string message(const report::Failure& failure) {
     return fmt::format("File '{}' line {}: {}", failure.file, failure.line, failure.message);
 }
 
+/// Whether POV-Ray complains of a file that it cannot find, or may not read.
+bool names_missing_file(const std::string& message) {
+    for (const char* words : {"Cannot open", "Could not open", "Cannot find", "Could not find"})
+        if (message.find(words) != std::string::npos) return true;
+    return false;
+}
+
 }  // namespace
 
 PovrayOracle::PovrayOracle(Settings settings)
@@ -57,8 +64,9 @@ void PovrayOracle::start() {
     image_ = 0;
     last_look_ = Clock::now();
     try {
-        process_ = std::make_unique<TracerProcess>(settings_.program, settings_.arguments,
-                                                   settings_.geometry);
+        process_ = std::make_unique<TracerProcess>(
+            settings_.program, settings_.arguments,
+            TracerSetting{settings_.geometry, settings_.finish_folder, settings_.sandbox});
     } catch (const Error& error) {
         broken_ = error;
         throw;
@@ -78,22 +86,64 @@ const SceneDescription& PovrayOracle::wait_for_scene(
 }
 
 void PovrayOracle::wait_for_geometry(const std::function<bool()>& interrupted) {
-    wait_until(geometry_complete_, interrupted);
+    wait_until([this] { return geometry_complete_; }, "the scene's polygons", interrupted);
 }
 
 void PovrayOracle::wait_for_images(const std::function<bool()>& interrupted) {
-    wait_until(images_complete_, interrupted);
+    wait_until([this] { return images_complete_; }, "the scene's images", interrupted);
 }
 
-void PovrayOracle::wait_until(const bool& come, const std::function<bool()>& interrupted) {
-    waits_for_scene_parts_ = true;
+void PovrayOracle::wait_until(const std::function<bool()>& come, const char* awaited,
+                              const std::function<bool()>& interrupted) {
+    awaited_ = awaited;
     silence_ = {};
     last_look_ = Clock::now();
-    while (!come) {
+    while (!come()) {
         if (interrupted && interrupted()) fail(Exit::interrupted, "interrupted", "");
         advance(Clock::now() + 50ms);
     }
-    waits_for_scene_parts_ = false;
+    awaited_ = nullptr;
+}
+
+std::filesystem::path PovrayOracle::finish(
+    std::span<const PixelLight> pixels,
+    const std::function<void(const report::Progress&)>& progress,
+    const std::function<bool()>& interrupted) {
+    const std::filesystem::path image = settings_.finish_folder / "image";
+    progress_ = progress;
+    for (const bool last_try : {false, true}) {
+        awaited_ = nullptr;  // POV-Ray may parse as long as it likes
+        while (state_ != State::serving) {
+            if (interrupted && interrupted()) fail(Exit::interrupted, "interrupted", "");
+            advance(Clock::now() + 50ms);
+        }
+        send_image(pixels);
+        wait_until([this] { return state_ == State::ended; }, "POV-Ray's image", interrupted);
+        const std::string end = process_->stop();
+        std::error_code gone;
+        if (process_->exit_status() == 0 && std::filesystem::exists(image, gone)) break;
+        const std::string words = process_->last_words();
+        if (last_try)
+            fail(Exit::tracer,
+                 fmt::format("the tracer {} while it made POV-Ray's image{}{}", end,
+                             words.empty() ? "" : "; its last words were:\n", words),
+                 "see whether plain povray renders the scene");
+        remember(fmt::format("the tracer {} while it made POV-Ray's image; started again", end));
+        ++statistics_.restarts;
+        start();
+    }
+    progress_ = nullptr;
+    return image;
+}
+
+void PovrayOracle::send_image(std::span<const PixelLight> pixels) {
+    for (std::size_t first = 0; first < pixels.size(); first += wire_max_batch) {
+        const std::size_t count = std::min<std::size_t>(wire_max_batch, pixels.size() - first);
+        append_image(out_, static_cast<std::uint32_t>(first), pixels.subspan(first, count),
+                     first + count == pixels.size());
+    }
+    state_ = State::finishing;
+    flush();
 }
 
 void PovrayOracle::submit(std::span<const Request> requests, Parts parts) {
@@ -134,7 +184,10 @@ bool PovrayOracle::receive() {
             const auto [what, size] = process_->receive(received_);
             if (what == TracerProcess::Received::nothing_yet) return i > 0;
             if (what == TracerProcess::Received::end) {
-                restart();
+                if (state_ == State::finishing)
+                    state_ = State::ended;
+                else
+                    restart();
                 return false;
             }
             silence_ = {};
@@ -192,12 +245,17 @@ void PovrayOracle::handle_failure(const report::Failure& failure) {
     if (text.find("command-line option") != std::string::npos)  // POV-Ray does not say which
         fail(Exit::usage, fmt::format("{} in: {}", text, fmt::join(settings_.arguments, " ")),
              "check the options meant for POV-Ray");
-    fail(state_ == State::serving ? Exit::tracer : Exit::scene,
-         text.empty() ? "POV-Ray failed without a message" : text, "");
+    const bool confined = settings_.sandbox && names_missing_file(text);
+    fail(state_ >= State::serving ? Exit::tracer : Exit::scene,
+         text.empty() ? "POV-Ray failed without a message" : text,
+         confined
+             ? "files are looked for, and may be read, in the folder of the scene, the working "
+               "folder and the libraries: add a folder by +L"
+             : "");
 }
 
 void PovrayOracle::handle_geometry(const report::GeometryChunk& chunk) {
-    if (state_ != State::serving) throw WireFault("geometry before the scene");
+    if (state_ < State::serving) throw WireFault("geometry before the scene");
     if (geometry_ended_) throw WireFault("more geometry after the last of it");
     geometry_ended_ = chunk.last;
     arriving_images_.insert(arriving_images_.end(), chunk.part.images.begin(),
@@ -405,13 +463,12 @@ void PovrayOracle::check_stall(Clock::time_point before, Clock::time_point deadl
     silence_ +=
         std::min<Clock::duration>(away, 1s) + std::min<Clock::duration>(waited, patience + 1s);
     last_look_ = now;
-    if (outstanding_ == 0 && !waits_for_scene_parts_) silence_ = {};
+    if (outstanding_ == 0 && !awaited_) silence_ = {};
     if (silence_ > settings_.stall_timeout)
         fail(Exit::tracer,
              fmt::format("the tracer has said nothing for {:.3g} seconds while {} were due",
                          std::chrono::duration<double>(silence_).count(),
-                         outstanding_ > 0 ? fmt::format("{} samples", outstanding_)
-                                          : "the scene's polygons"),
+                         outstanding_ > 0 ? fmt::format("{} samples", outstanding_) : awaited_),
              "give it more time with --stall-timeout if single samples are that slow");
 }
 

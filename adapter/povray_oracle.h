@@ -5,9 +5,11 @@
 #include <chrono>
 #include <cstdint>
 #include <deque>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -44,9 +46,11 @@ struct TracerStatistics {
 class PovrayOracle : public SampleOracle {
    public:
     struct Settings {
-        std::string program;                 ///< the patched POV-Ray
-        std::vector<std::string> arguments;  ///< POV-Ray's options, see povray_options.h
-        bool geometry = true;                ///< ask for the scene's polygons
+        std::string program;                       ///< the patched POV-Ray
+        std::vector<std::string> arguments;        ///< POV-Ray's options, see povray_options.h
+        bool geometry = true;                      ///< ask for the scene's polygons
+        std::filesystem::path finish_folder = {};  ///< for finish(): a folder of its own
+        std::optional<SandboxRules> sandbox = {};  ///< else it may do what we may
         /// Silence while answers are outstanding that counts as a stall. Parsing has no limit.
         std::chrono::milliseconds stall_timeout = std::chrono::seconds(60);
     };
@@ -83,6 +87,16 @@ class PovrayOracle : public SampleOracle {
     /// As SampleOracle says; a signal ends the wait early.
     void collect(std::vector<Sample>& samples, std::chrono::nanoseconds patience) override;
 
+    /// Has POV-Ray make its image, as its options ask for, out of all pixels of the completed
+    /// picture, row by row; what they do not tell, such as its samples for anti-aliasing, it
+    /// traces. Returns the image's file in Settings::finish_folder, to be called
+    /// description().output. This ends the tracer. A tracer that dies is started again once. Throws
+    /// Error as wait_for_scene() does. REQUIRES: the scene has come, a finish_folder, and every
+    /// request is answered.
+    std::filesystem::path finish(std::span<const PixelLight> pixels,
+                                 const std::function<void(const report::Progress&)>& progress,
+                                 const std::function<bool()>& interrupted);
+
     TracerStatistics statistics() const;
     /// The most memory that the tracer has had resident so far, bytes; 0 where it is not known.
     std::size_t peak_memory() const { return process_ ? process_->peak_memory() : 0; }
@@ -93,7 +107,7 @@ class PovrayOracle : public SampleOracle {
 
    private:
     using Clock = std::chrono::steady_clock;
-    enum class State { greeting, parsing, serving };
+    enum class State { greeting, parsing, serving, finishing, ended };
 
     /// Samples under one id on the wire; the i-th one is number first + offsets[i], or first + i.
     struct Batch {
@@ -114,12 +128,14 @@ class PovrayOracle : public SampleOracle {
     void handle_hello(const report::Hello& hello);
     void handle_scene(SceneDescription scene);
     void handle_answer(const report::Answer& answer);
-    void wait_until(const bool& come, const std::function<bool()>& interrupted);
+    void wait_until(const std::function<bool()>& come, const char* awaited,
+                    const std::function<bool()>& interrupted);
     void handle_geometry(const report::GeometryChunk& chunk);
     void handle_texels(const report::Texels& part);
     void check_images_complete();
     [[noreturn]] void handle_failure(const report::Failure& failure);
 
+    void send_image(std::span<const PixelLight> pixels);
     void send_waiting();
     void send_range(Sequence begin, Sequence end);
     void send_batch(Batch batch);
@@ -159,10 +175,10 @@ class PovrayOracle : public SampleOracle {
     std::optional<SceneDescription> scene_;
     std::function<void(const report::Progress&)> progress_;
 
-    Geometry arriving_;               ///< what this process has sent so far
-    bool geometry_ended_ = false;     ///< this process has sent all
-    bool geometry_complete_ = false;  ///< some process has
-    bool waits_for_scene_parts_ = false;
+    Geometry arriving_;                               ///< what this process has sent so far
+    bool geometry_ended_ = false;                     ///< this process has sent all
+    bool geometry_complete_ = false;                  ///< some process has
+    const char* awaited_ = nullptr;                   ///< what is due beside samples, or null
     std::optional<Geometry> geometry_;                ///< complete, and not taken yet
     std::vector<ImageTexels> arriving_images_;        ///< what this process has sent so far
     std::size_t image_ = 0;                           ///< of them the one that is coming

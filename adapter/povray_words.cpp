@@ -101,6 +101,88 @@ PovrayWord read_word(std::string_view word) {
     return {};
 }
 
+namespace {
+
+struct Setting {
+    std::string name;   ///< in lower case: letters of a switch, or a keyword
+    std::string value;  ///< in lower case
+    bool is_switch = false, on = true;
+};
+
+/// A word as name and value: "+KFF30" is kff and 30, "Quality=3" quality and 3.
+Setting setting_of(std::string_view word) {
+    Setting result;
+    const std::string text = lower(unquoted(word));
+    if (text.starts_with('+') || text.starts_with('-')) {
+        std::size_t end = 1;
+        while (end < text.size() && std::isalpha(static_cast<unsigned char>(text[end]))) ++end;
+        return {text.substr(1, end - 1), text.substr(end), true, text[0] == '+'};
+    }
+    const std::size_t equals = text.find('=');
+    if (equals == std::string::npos) return result;
+    result.name = trimmed(std::string_view(text).substr(0, equals));
+    result.value = trimmed(std::string_view(text).substr(equals + 1));
+    const std::array<std::string_view, 5> off{"off", "false", "no", "0", ""};
+    result.on = std::find(off.begin(), off.end(), result.value) == off.end();
+    return result;
+}
+
+template <class Names>
+bool is_one_of(const Names& names, std::string_view name) {
+    return std::find(std::begin(names), std::end(names), name) != std::end(names);
+}
+
+}  // namespace
+
+Departure departure_of(std::string_view word) {
+    const Setting setting = setting_of(word);
+    if (!setting.on) return Departure::none;
+    const std::string& name = setting.name;
+    if (setting.is_switch) {
+        if (name == "rfo") return Departure::saves_radiosity;
+        if (name == "c") return Departure::continues;
+        if (name == "sp" || name == "ep") return Departure::mosaic;
+        if (name == "kff" && setting.value != "1") return Departure::animation;
+        // Behind these letters comes the file's name.
+        constexpr std::string_view files[] = {"ga", "gd", "gf", "gi", "gr", "gs", "gw"};
+        const bool named = name.size() > 2 || !setting.value.empty();
+        if (named && is_one_of(files, name.substr(0, 2))) return Departure::writes_messages;
+        return Departure::none;
+    }
+    if (name == "radiosity_to_file") return Departure::saves_radiosity;
+    if (name == "continue_trace") return Departure::continues;
+    if (name == "preview_start_size" || name == "preview_end_size") return Departure::mosaic;
+    if (name == "final_frame" && setting.value != "1") return Departure::animation;
+    if (name.ends_with("_command")) return Departure::runs_command;
+    constexpr std::string_view files[] = {"all_file",       "create_ini",  "debug_file",
+                                          "fatal_file",     "render_file", "statistic_file",
+                                          "histogram_name", "warning_file"};
+    return is_one_of(files, name) ? Departure::writes_messages : Departure::none;
+}
+
+bool samples_depend_on(std::string_view word) {
+    const Setting setting = setting_of(word);
+    const std::string& name = setting.name;
+    if (setting.is_switch) {
+        constexpr std::string_view switches[] = {"a",  "ag", "am", "c",  "d",  "ec", "ep",
+                                                 "er", "j",  "p",  "r",  "sc", "sp", "sr",
+                                                 "th", "v",  "wl", "wt", "rfo"};
+        // Behind the first letter of these comes a name or a kind.
+        return !is_one_of(switches, name) && !name.starts_with('o') && !name.starts_with('f') &&
+               !name.starts_with('g');
+    }
+    constexpr std::string_view keywords[] = {
+        "sampling_method", "file_gamma",  "grayscale_output", "bits_per_color",
+        "bits_per_colour", "compression", "work_threads",     "verbose",
+        "continue_trace",  "palette",     "pause_when_done",  "start_row",
+        "start_column",    "end_row",     "end_column",       "radiosity_to_file"};
+    constexpr std::string_view beginnings[] = {"antialias", "jitter",  "dither",  "output_file",
+                                               "output_to", "display", "preview_"};
+    if (is_one_of(keywords, name)) return false;
+    return std::none_of(std::begin(beginnings), std::end(beginnings),
+                        [&](std::string_view begin) { return name.starts_with(begin); });
+}
+
 std::string quoted_name(const std::string& name) {
     if (name.find_first_of(" \t'\"") == std::string::npos) return name;
     const char quote = name.find('"') == std::string::npos ? '"' : '\'';

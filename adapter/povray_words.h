@@ -22,6 +22,23 @@ struct PovrayWord {
     std::string value;  ///< behind the keyword, without quotes
 };
 
+/// What an option that does not mean the same in a preview is about.
+enum class Departure {
+    none,
+    saves_radiosity,  ///< +RFO, Radiosity_To_File=on
+    runs_command,     ///< Pre_Scene_Command and the like
+    mosaic,           ///< +SP, +EP: POV-Ray's own preview
+    continues,        ///< +C: goes on from POV-Ray's own state file
+    animation,        ///< +KFF: more than one frame
+    writes_messages,  ///< +GAfile and the like
+};
+/// That of one word, if it is turned on.
+Departure departure_of(std::string_view word);
+
+/// Whether what a sample finds may depend on this word: not on those that say how samples are put
+/// together, shown, and saved.
+bool samples_depend_on(std::string_view word);
+
 /// Splits at blanks outside quotes, as POV-Ray does even with a single argument of the shell.
 std::vector<std::string> split_words(std::string_view text);
 

@@ -74,6 +74,9 @@ struct SceneDescription {
     std::vector<KindCount> textures;    ///< pigments by kind
     std::vector<KindCount> objects;     ///< objects by kind
     glm::vec3 background{};
+    bool alpha = false;  ///< samples are without the background where it shines through (+UA)
+    std::string output;  ///< the image file that POV-Ray would write, by its rules; empty: none
+    std::vector<std::string> files;  ///< that it has read, as it names them
 
     bool has(std::string_view feature) const {
         return std::find(features.begin(), features.end(), feature) != features.end();

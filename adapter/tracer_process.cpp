@@ -70,23 +70,27 @@ std::vector<char*> pointers(std::vector<std::string>& strings) {
 }
 
 /// Ours, but for what tells the tracer how to be one.
-std::vector<std::string> environment(int wire, bool geometry) {
+std::vector<std::string> environment(int wire, const TracerSetting& setting) {
     std::vector<std::string> result;
-    constexpr std::string_view wire_name = "POVPREVIEW_WIRE=",
-                               geometry_name = "POVPREVIEW_GEOMETRY=";
     for (char** e = environ; *e; ++e) {
         const std::string_view variable = *e;
-        if (!variable.starts_with(wire_name) && !variable.starts_with(geometry_name))
+        if (!variable.starts_with("POVPREVIEW_") && !variable.starts_with("POV_TEMP_DIR="))
             result.emplace_back(variable);
     }
-    result.push_back(fmt::format("{}{}", wire_name, wire));
-    if (geometry) result.push_back(fmt::format("{}1", geometry_name));
+    result.push_back(fmt::format("POVPREVIEW_WIRE={}", wire));
+    if (setting.geometry) result.emplace_back("POVPREVIEW_GEOMETRY=1");
+    if (!setting.finish_folder.empty()) {
+        result.push_back("POVPREVIEW_FINISH=" + setting.finish_folder.string());
+        // Images too large for its memory POV-Ray keeps in a file of this folder.
+        result.push_back("POV_TEMP_DIR=" + setting.finish_folder.string());
+    }
     return result;
 }
 
 /// What happens in the child between fork and exec: only calls that are safe there.
 [[noreturn]] void become_tracer(pid_t parent, int wire, int messages, int verdict,
-                                const char* program, char* const* argv, char* const* envp) {
+                                const Sandbox* sandbox, const char* program, char* const* argv,
+                                char* const* envp) {
     setpgid(0, 0);
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     if (getppid() != parent) _exit(127);  // the parent died before it could be watched
@@ -103,7 +107,8 @@ std::vector<std::string> environment(int wire, bool geometry) {
     if (null >= 0 && dup2(null, STDIN_FILENO) >= 0 && dup2(null, STDOUT_FILENO) >= 0 &&
         dup2(messages, STDERR_FILENO) >= 0) {
         close_range(3, ~0U, CLOSE_RANGE_CLOEXEC);  // also what libraries of ours left open
-        if (fcntl(wire, F_SETFD, 0) == 0) execvpe(program, argv, envp);
+        if (fcntl(wire, F_SETFD, 0) == 0 && (!sandbox || sandbox->enter()))
+            execvpe(program, argv, envp);
     }
     const int error = errno;
     [[maybe_unused]] const ssize_t written = write(verdict, &error, sizeof error);
@@ -125,13 +130,16 @@ void FileDescriptor::reset() {
 }
 
 TracerProcess::TracerProcess(const std::string& program, const std::vector<std::string>& arguments,
-                             bool geometry) {
+                             const TracerSetting& setting) {
     Ends wire = socket_pair(program), messages = message_pipe(program),
          verdict = message_pipe(program);
     std::vector<std::string> words{program};
     words.insert(words.end(), arguments.begin(), arguments.end());
-    std::vector<std::string> variables = environment(wire.theirs.get(), geometry);
+    std::vector<std::string> variables = environment(wire.theirs.get(), setting);
     const std::vector<char*> argv = pointers(words), envp = pointers(variables);
+
+    std::optional<Sandbox> sandbox;
+    if (setting.sandbox) sandbox.emplace(*setting.sandbox, program);
 
     // fork, not posix_spawn: that cannot tie the child's life to ours.
     const pid_t parent = getpid();
@@ -139,7 +147,7 @@ TracerProcess::TracerProcess(const std::string& program, const std::vector<std::
     if (pid_ < 0) fail_start(program, "fork", errno);
     if (pid_ == 0)
         become_tracer(parent, wire.theirs.get(), messages.theirs.get(), verdict.theirs.get(),
-                      program.c_str(), argv.data(), envp.data());
+                      sandbox ? &*sandbox : nullptr, program.c_str(), argv.data(), envp.data());
 
     setpgid(pid_, pid_);  // both sides do it: whoever comes first
     wire.theirs.reset();

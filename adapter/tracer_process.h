@@ -5,51 +5,36 @@
 
 #include <chrono>
 #include <cstddef>
+#include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "adapter/file_descriptor.h"
+#include "adapter/sandbox.h"
+
 namespace povpreview {
 
-/// Owns a file descriptor.
-class FileDescriptor {
-   public:
-    explicit FileDescriptor(int fd = -1) : fd_(fd) {}
-    ~FileDescriptor() { reset(); }
-    FileDescriptor(FileDescriptor&& other) noexcept : fd_(other.release()) {}
-    FileDescriptor& operator=(FileDescriptor&& other) noexcept {
-        if (this != &other) {
-            reset();
-            fd_ = other.release();
-        }
-        return *this;
-    }
-
-    int get() const { return fd_; }
-    bool open() const { return fd_ >= 0; }
-    void reset();
-
-   private:
-    int release() {
-        const int fd = fd_;
-        fd_ = -1;
-        return fd;
-    }
-    int fd_;
+/// What a tracer is told by its environment, and what it may touch.
+struct TracerSetting {
+    bool geometry = false;                ///< the scene's polygons are wanted
+    std::filesystem::path finish_folder;  ///< where POV-Ray's image is to be made; empty: none
+    std::optional<SandboxRules> sandbox;  ///< else it may do what we may
 };
 
 /// A tracer running as a child, with one end of a private stream socket to it.
 ///
-/// The child gets POVPREVIEW_WIRE=<fd> in its environment, POVPREVIEW_GEOMETRY=1 where the scene's
-/// polygons are wanted, no other open descriptor, no input, no
-/// output but a pipe for its messages, a process group of its own (so that Ctrl-C reaches it only
+/// The child gets POVPREVIEW_WIRE=<fd> in its environment, POVPREVIEW_GEOMETRY=1 and
+/// POVPREVIEW_FINISH=<folder> where they are wanted, no other open descriptor, no input, no output
+/// but a pipe for its messages, a process group of its own (so that Ctrl-C reaches it only
 /// through us), and the order to die with the thread that started it (Linux ties that to the
 /// thread, not the process: start it on one that lives as long as the tracer is to live).
 class TracerProcess {
    public:
     /// Starts `program`, looked up in PATH if it has no slash. Throws Error if that fails.
     TracerProcess(const std::string& program, const std::vector<std::string>& arguments,
-                  bool geometry = false);
+                  const TracerSetting& setting = {});
     /// Ends and reaps the child; see stop().
     ~TracerProcess();
     TracerProcess(const TracerProcess&) = delete;

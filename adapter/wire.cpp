@@ -86,6 +86,11 @@ SceneDescription scene(const wire::Scene& from) {
     to.textures = counts(from.textures());
     to.objects = counts(from.objects());
     to.background = vec3(from.background());
+    check_list(from.files(), max_files, "files");
+    to.alpha = from.alpha();
+    to.output = text(from.output());
+    if (from.files())
+        for (const flatbuffers::String* f : *from.files()) to.files.push_back(text(f));
     return to;
 }
 
@@ -134,6 +139,20 @@ void FrameReader::feed(std::span<const std::byte> bytes,
 
 // ---- previewer to tracer
 
+namespace {
+
+void append_order(std::vector<std::byte>& out, flatbuffers::FlatBufferBuilder& builder,
+                  wire::Order kind, flatbuffers::Offset<void> order) {
+    builder.Finish(wire::CreateToTracer(builder, kind, order), "PVTR");
+    const std::uint32_t size = builder.GetSize();
+    const std::size_t end = out.size();
+    out.resize(end + sizeof size + size);
+    std::memcpy(out.data() + end, &size, sizeof size);
+    std::memcpy(out.data() + end + sizeof size, builder.GetBufferPointer(), size);
+}
+
+}  // namespace
+
 void append_trace(std::vector<std::byte>& out, std::uint64_t batch, RayKind kind, Parts parts,
                   std::span<const glm::dvec2> positions) {
     assert(!positions.empty() && positions.size() <= wire_max_batch);
@@ -144,13 +163,21 @@ void append_trace(std::vector<std::byte>& out, std::uint64_t batch, RayKind kind
     for (const glm::dvec2& p : positions) *to++ = wire::Vec2d(p.x, p.y);
     const auto trace = wire::CreateTrace(builder, batch, static_cast<wire::RayKind>(kind),
                                          static_cast<wire::Parts>(parts), vector);
-    builder.Finish(wire::CreateToTracer(builder, wire::Order::Trace, trace.Union()), "PVTR");
+    append_order(out, builder, wire::Order::Trace, trace.Union());
+}
 
-    const std::uint32_t size = builder.GetSize();
-    const std::size_t end = out.size();
-    out.resize(end + sizeof size + size);
-    std::memcpy(out.data() + end, &size, sizeof size);
-    std::memcpy(out.data() + end + sizeof size, builder.GetBufferPointer(), size);
+void append_image(std::vector<std::byte>& out, std::uint32_t first,
+                  std::span<const PixelLight> pixels, bool last) {
+    assert(pixels.size() <= wire_max_batch);
+    flatbuffers::FlatBufferBuilder builder(pixels.size_bytes() + 128);
+    wire::Light* to = nullptr;
+    const auto vector = builder.CreateUninitializedVectorOfStructs<wire::Light>(pixels.size(), &to);
+    for (const PixelLight& p : pixels) {
+        const float red = p.known ? p.colour.r : std::numeric_limits<float>::quiet_NaN();
+        *to++ = wire::Light(wire::Vec3f(red, p.colour.g, p.colour.b), p.transmittance);
+    }
+    const auto image = wire::CreateImage(builder, first, vector, last);
+    append_order(out, builder, wire::Order::Image, image.Union());
 }
 
 // ---- tracer to previewer

@@ -15,6 +15,7 @@
 #include "adapter/geometry.h"
 #include "adapter/scene.h"
 #include "core/oracle.h"
+#include "core/pixel_light.h"
 
 /// The wire between previewer and tracer as pure functions on bytes; the schema is wire.fbs.
 ///
@@ -29,7 +30,7 @@ struct Answer;  // the generated table
 }
 
 /// Version of the schema; both ends must have the same.
-constexpr std::uint32_t wire_version = 5;
+constexpr std::uint32_t wire_version = 6;
 /// A frame's flatbuffer is at most this long, bytes. Room for 2^17 samples with all their parts, or
 /// for a scene of 10^5 lights.
 constexpr std::size_t wire_max_frame = std::size_t{16} << 20;
@@ -68,6 +69,11 @@ class FrameReader {
 void append_trace(std::vector<std::byte>& out, std::uint64_t batch, RayKind kind, Parts parts,
                   std::span<const glm::dvec2> positions);
 
+/// Appends a frame with a part of the completed picture, from the pixel `first` on; `last` has
+/// POV-Ray make its image of all. REQUIRES: pixels.size() <= wire_max_batch.
+void append_image(std::vector<std::byte>& out, std::uint32_t first,
+                  std::span<const PixelLight> pixels, bool last);
+
 /// What the tracer reports, decoded.
 namespace report {
 
@@ -77,7 +83,7 @@ struct Hello {
     std::uint32_t threads = 0;  ///< that trace
 };
 
-enum class Stage : std::uint8_t { parsing, bounding, photons, radiosity, ready };
+enum class Stage : std::uint8_t { parsing, bounding, photons, radiosity, ready, finishing };
 
 struct Progress {
     Stage stage = Stage::parsing;

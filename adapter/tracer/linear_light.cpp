@@ -33,6 +33,11 @@ Rgb LinearLight::operator()(const pov::RGBColour& working) const {
     return {(*this)(working.red()), (*this)(working.green()), (*this)(working.blue())};
 }
 
+float LinearLight::working(float linear) const {
+    if (!curve_) return linear;
+    return std::copysign(curve_->Encode(std::fabs(linear)), linear);
+}
+
 float LinearLight::gamma() const { return curve_ ? curve_->ApproximateDecodingGamma() : 1.0f; }
 
 }  // namespace povpreview::tracer

@@ -30,6 +30,8 @@ class LinearLight {
 
     float operator()(float working) const;
     Rgb operator()(const pov::RGBColour& working) const;
+    /// The inverse.
+    float working(float linear) const;
 
     /// Exponent that decodes the working colours, approximately.
     float gamma() const;

@@ -10,7 +10,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "backend/oracle/note_error.h"
+#include "backend/oracle/front_end.h"
 
 namespace povpreview::tracer {
 
@@ -37,13 +37,14 @@ Oracle::Oracle() {
     fcntl(socket_, F_SETFD, FD_CLOEXEC);  // not for the commands that a scene's options may run
     unsetenv("POVPREVIEW_WIRE");
     geometry_wanted_ = std::getenv("POVPREVIEW_GEOMETRY") != nullptr;
+    if (const char* folder = std::getenv("POVPREVIEW_FINISH")) finish_folder_ = folder;
     prctl(PR_SET_PDEATHSIG, SIGKILL);
 }
 
 void Oracle::start(const std::string& povray, unsigned threads) {
     if (!enabled() || wire_) return;
     queue_.set_threads(threads);
-    wire_ = std::make_unique<WireEnd>(socket_, povray, threads, queue_);
+    wire_ = std::make_unique<WireEnd>(socket_, povray, threads, queue_, known_);
 }
 
 void Oracle::progress(Stage stage, std::uint64_t done, std::uint64_t total) {
@@ -60,6 +61,17 @@ void Oracle::expect(Stage stage, std::uint64_t total) {
 void Oracle::advance(std::uint64_t done) {
     const std::uint64_t now = done_ += done;
     progress(stage_, now, total_);
+}
+
+void Oracle::note_read(const std::string& file) {
+    if (!enabled()) return;
+    const std::lock_guard lock(files_mutex_);
+    files_.insert(file);
+}
+
+std::vector<std::string> Oracle::files_read() {
+    const std::lock_guard lock(files_mutex_);
+    return {files_.begin(), files_.end()};
 }
 
 void Oracle::note_error(const std::string& text, const std::string& file, long line, bool certain) {
@@ -83,6 +95,15 @@ void Oracle::fail(const std::string& text) {
     else if (!error_.empty() && !possible_error_.empty())
         message += " (" + possible_error_ + ")";
     wire_->send_failure(message, error_file_, error_line_);
+}
+
+bool serves_previewer() { return enabled(); }
+
+void note_read(const std::string& file) { Oracle::instance().note_read(file); }
+
+std::string image_file(const std::string& wanted) {
+    const std::string& folder = Oracle::instance().finish_folder();
+    return enabled() && !folder.empty() ? folder + "/image" : wanted;
 }
 
 void note_error(const std::string& text) { Oracle::instance().note_error(text, "", 0, false); }

@@ -2,8 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <set>
 #include <string>
+#include <vector>
 
+#include "backend/oracle/known_pixels.h"
 #include "backend/oracle/scene_facts.h"
 #include "backend/oracle/wire_end.h"
 #include "backend/oracle/work_queue.h"
@@ -22,10 +25,14 @@ class Oracle {
     bool enabled() const { return socket_ >= 0; }
     /// Whether the previewer wants the scene's polygons: POVPREVIEW_GEOMETRY is in the environment.
     bool geometry_wanted() const { return geometry_wanted_; }
-    /// Called when samples can be answered.
-    void serve() { serving_ = true; }
+    /// Called when samples can be answered, and when no more are.
+    void serve(bool serving = true) { serving_ = serving; }
     bool serving() const { return serving_; }
+    /// The folder into which the previewer wants POV-Ray's image in the end (POVPREVIEW_FINISH in the
+    /// environment); empty where it wants none.
+    const std::string& finish_folder() const { return finish_folder_; }
     WorkQueue& queue() { return queue_; }
+    KnownPixels& known() { return known_; }
     WireEnd& wire() { return *wire_; }
 
     /// Says Hello. Called when the options are known.
@@ -36,6 +43,10 @@ class Oracle {
     /// The same for a stage that several threads advance.
     void expect(Stage stage, std::uint64_t total);
     void advance(std::uint64_t done);
+
+    /// Keeps the name of a file that was opened for reading.
+    void note_read(const std::string& file);
+    std::vector<std::string> files_read();
 
     /// Keeps POV-Ray's message for `fail`. Its errors are certain or possible ones; the latter may
     /// turn out to explain a later, certain one.
@@ -48,9 +59,14 @@ class Oracle {
 
     int socket_ = -1;
     bool geometry_wanted_ = false;
+    std::string finish_folder_;
     WorkQueue queue_;
+    KnownPixels known_;
     std::unique_ptr<WireEnd> wire_;
     std::atomic<bool> serving_{false};
+
+    std::mutex files_mutex_;
+    std::set<std::string> files_;
 
     std::mutex error_mutex_;
     std::string error_, error_file_, possible_error_;
@@ -68,6 +84,12 @@ inline bool enabled() { return Oracle::instance().enabled(); }
 inline unsigned poll_interval(unsigned usual) {
     const Oracle& oracle = Oracle::instance();
     return oracle.enabled() && !oracle.serving() ? 1 : usual;
+}
+
+/// The previewer has asked for the image, of so many pixels, and POV-Ray begins to make it.
+inline void begin_image(std::uint64_t pixels) {
+    Oracle::instance().serve(false);
+    Oracle::instance().expect(Stage::finishing, pixels);
 }
 
 }  // namespace povpreview::tracer

@@ -3,7 +3,6 @@
 
 #include <chrono>
 #include <cmath>
-#include <cstring>
 
 // The order of POV-Ray's headers matters: frame.h first, povdebug.h last.
 // clang-format off
@@ -14,8 +13,9 @@
 // clang-format on
 
 #include "backend/oracle/geometry_task.h"
-#include "backend/oracle/hash.h"
+#include "backend/oracle/finishing_pixel.h"
 #include "backend/oracle/scene_description.h"
+#include "backend/oracle/seed.h"
 #include "base/povdebug.h"
 
 namespace povpreview::tracer {
@@ -29,13 +29,6 @@ constexpr auto patience = std::chrono::milliseconds(50);
 
 bool is_finite(const Rgb& c) {
     return std::isfinite(c.r) && std::isfinite(c.g) && std::isfinite(c.b);
-}
-
-std::size_t seed_of(Position position) {
-    std::uint64_t x, y;
-    std::memcpy(&x, &position.x, sizeof x);
-    std::memcpy(&y, &position.y, sizeof y);
-    return static_cast<std::size_t>(mix(mix(0, x), y) >> 33);
 }
 
 }  // namespace
@@ -70,6 +63,7 @@ void OracleTask::Run() {
         Cooperate();
         const Slice slice = queue.take(patience);
         if (slice.count > 0) trace_slice(slice);
+        if (slice.count == 0 && queue.finished()) return;  // the image is wanted
     }
 }
 
@@ -191,8 +185,16 @@ void OracleTask::reseed(Position position) {
 
 namespace {
 
-void announce(pov::ViewData* view, bool antialias, std::shared_ptr<const SharedScene> shared) {
-    Oracle::instance().wire().send_scene(describe_scene(*view, antialias, shared->linear));
+void announce(pov::ViewData* view, bool antialias, const std::string& output,
+              std::shared_ptr<const SharedScene> shared) {
+    Oracle& oracle = Oracle::instance();
+    SceneFacts facts = describe_scene(*view, antialias, shared->linear);
+    facts.alpha = view->GetSceneData()->outputAlpha;
+    facts.output = output;
+    facts.files = oracle.files_read();
+    oracle.known().set_size(facts.width, facts.height);
+    set_finishing_light({shared, &shared->linear});
+    oracle.wire().send_scene(facts);
 }
 
 }  // namespace
@@ -202,8 +204,12 @@ std::vector<pov::ViewThreadData*> append_oracle_tasks(pov::TaskQueue& tasks, pov
     const auto shared = std::make_shared<const SharedScene>(
         *view.GetSceneData(), options.TryGetFloat(kPOVAttrib_Version, 0.0f));
     const bool antialias = options.TryGetBool(kPOVAttrib_Antialias, false);
-    tasks.AppendFunction(
-        [&view, antialias, shared](pov::TaskQueue&) { announce(&view, antialias, shared); });
+    const bool to_file = options.TryGetBool(kPOVAttrib_OutputToFile, true);
+    const std::string output =
+        to_file ? pov_base::UCS2toASCIIString(options.TryGetUCS2String(kPOVAttrib_OutputFile, "")) : "";
+    tasks.AppendFunction([&view, antialias, output, shared](pov::TaskQueue&) {
+        announce(&view, antialias, output, shared);
+    });
     std::vector<pov::ViewThreadData*> data;
     if (Oracle::instance().geometry_wanted())
         data.push_back(

@@ -43,12 +43,23 @@ struct Sample {
     std::uint32_t cost_ns = 0;
 };
 
-/// An order from the previewer.
+/// An order for samples.
 struct Batch {
     std::uint64_t number = 0;
     RayKind kind = RayKind::full;
     Parts parts;
     std::vector<Position> positions;
+};
+
+/// A chunk of the finished picture; as wire::Image.
+struct FinishPart {
+    struct Light {
+        Rgb colour;
+        float transmittance;
+    };
+    std::uint32_t first = 0;
+    std::vector<Light> light;
+    bool last = false;
 };
 
 }  // namespace povpreview::tracer

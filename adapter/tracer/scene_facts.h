@@ -41,6 +41,9 @@ struct SceneFacts {
     std::set<std::string> features;
     std::map<std::string, unsigned> textures, objects;
     Rgb background;
+    bool alpha = false;
+    std::string output;
+    std::vector<std::string> files;
 };
 
 }  // namespace povpreview::tracer

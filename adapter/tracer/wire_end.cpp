@@ -33,8 +33,9 @@ std::uint32_t little_endian(const std::uint8_t* bytes) {
 
 }  // namespace
 
-WireEnd::WireEnd(int socket, const std::string& povray, unsigned threads, WorkQueue& queue)
-    : socket_(socket), queue_(queue) {
+WireEnd::WireEnd(int socket, const std::string& povray, unsigned threads, WorkQueue& queue,
+                 KnownPixels& known)
+    : socket_(socket), queue_(queue), known_(known) {
     frames_.push_back(hello_frame(version, povray, threads));
     reader_ = std::thread(&WireEnd::read_orders, this);
     writer_ = std::thread(&WireEnd::write_reports, this);
@@ -152,9 +153,14 @@ void WireEnd::read_exactly(void* data, std::size_t size, bool end_allowed) {
 
 void WireEnd::accept_order(const Frame& content) {
     std::string fault;
-    std::shared_ptr<Batch> batch = read_trace(content, max_positions, fault);
-    if (!batch) end_refusing(fault.c_str());
-    if (!queue_.add(std::move(batch))) end_refusing("too many samples ordered at once");
+    Order order = read_order(content, max_positions, fault);
+    if (order.finish) {
+        if (!known_.add(*order.finish)) end_refusing("pixels outside of the picture");
+        if (order.finish->last) queue_.close();
+        return;
+    }
+    if (!order.batch) end_refusing(fault.c_str());
+    if (!queue_.add(std::move(order.batch))) end_refusing("too many samples ordered at once");
 }
 
 }  // namespace povpreview::tracer

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "backend/oracle/geometry_facts.h"
+#include "backend/oracle/known_pixels.h"
 #include "backend/oracle/samples.h"
 #include "backend/oracle/scene_facts.h"
 #include "backend/oracle/work_queue.h"
@@ -19,7 +20,7 @@
 namespace povpreview::tracer {
 
 /// As wire::Stage.
-enum class Stage : std::uint8_t { parsing, bounding, photons, radiosity, ready };
+enum class Stage : std::uint8_t { parsing, bounding, photons, radiosity, ready, finishing };
 
 /// The tracer's end of the wire (see wire.fbs): a thread reads orders, another writes reports.
 ///
@@ -28,14 +29,15 @@ enum class Stage : std::uint8_t { parsing, bounding, photons, radiosity, ready }
 /// that it has is worth saving.
 class WireEnd {
    public:
-    static constexpr std::uint32_t version = 5;
+    static constexpr std::uint32_t version = 6;
     static constexpr std::size_t max_frame = 16u << 20;
     static constexpr std::size_t max_positions = std::size_t{1} << 20;
     /// How often progress is reported while the previewer waits for the scene.
     static constexpr std::chrono::milliseconds heartbeat{150};
 
     /// Takes over the socket, says Hello and starts the threads.
-    WireEnd(int socket, const std::string& povray, unsigned threads, WorkQueue& queue);
+    WireEnd(int socket, const std::string& povray, unsigned threads, WorkQueue& queue,
+            KnownPixels& known);
     WireEnd(const WireEnd&) = delete;
     WireEnd& operator=(const WireEnd&) = delete;
 
@@ -63,6 +65,7 @@ class WireEnd {
 
     int socket_;
     WorkQueue& queue_;
+    KnownPixels& known_;
     std::atomic<Stage> stage_{Stage::parsing};
     std::atomic<std::uint64_t> done_{0}, total_{0};
 

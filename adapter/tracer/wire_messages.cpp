@@ -73,10 +73,12 @@ Frame scene_frame(const SceneFacts& scene) {
     const auto textures = builder.CreateVector(counts(builder, scene.textures));
     const auto objects = builder.CreateVector(counts(builder, scene.objects));
     const wire::Vec3f background = vec3f(scene.background);
+    const auto output = builder.CreateString(scene.output);
+    const auto files = builder.CreateVectorOfStrings(scene.files);
     const auto message =
         wire::CreateScene(builder, scene.width, scene.height, scene.working_gamma, scene.antialias,
                           camera(builder, scene.camera), builder.CreateVector(lights), features,
-                          textures, objects, &background);
+                          textures, objects, &background, scene.alpha, output, files);
     return wire_frame(builder, wire::Report_Scene, message);
 }
 
@@ -119,29 +121,24 @@ Frame failure_frame(const std::string& message, const std::string& file, unsigne
                       wire::CreateFailureDirect(builder, message.c_str(), file.c_str(), line));
 }
 
-std::shared_ptr<Batch> read_trace(const Frame& content, std::size_t max_positions,
+namespace {
+
+std::shared_ptr<Batch> read_trace(const wire::Trace& trace, std::size_t max_positions,
                                   std::string& fault) {
-    flatbuffers::Verifier verifier(content.data(), content.size());
-    if (!verifier.VerifyBuffer<wire::ToTracer>("PVTR")) {
-        fault = "an order that is none";
-        return nullptr;
-    }
-    const auto* order = flatbuffers::GetRoot<wire::ToTracer>(content.data());
-    const wire::Trace* trace = order->order_as_Trace();
-    if (trace == nullptr || trace->kind() > wire::RayKind_MAX) {
-        fault = "an order of unknown kind";
+    if (trace.kind() > wire::RayKind_MAX) {
+        fault = "an order for rays of unknown kind";
         return nullptr;
     }
     auto batch = std::make_shared<Batch>();
-    batch->number = trace->batch();
-    batch->kind = static_cast<RayKind>(trace->kind());
-    const auto asked = static_cast<unsigned>(trace->parts());
+    batch->number = trace.batch();
+    batch->kind = static_cast<RayKind>(trace.kind());
+    const auto asked = static_cast<unsigned>(trace.parts());
     const bool full = batch->kind == RayKind::full, probe = batch->kind == RayKind::probe;
     batch->parts.light = full;
     batch->parts.surface = !full || (asked & wire::Parts_surface) != 0;
     batch->parts.shading = !probe && (!full || (asked & wire::Parts_shading) != 0);
     batch->parts.signature = probe || (full && (asked & wire::Parts_signature) != 0);
-    if (const auto* positions = trace->positions()) {
+    if (const auto* positions = trace.positions()) {
         if (positions->size() > max_positions) {
             fault = "an order of too many samples";
             return nullptr;
@@ -151,6 +148,37 @@ std::shared_ptr<Batch> read_trace(const Frame& content, std::size_t max_position
             batch->positions.push_back({position->x(), position->y()});
     }
     return batch;
+}
+
+std::shared_ptr<FinishPart> read_finish(const wire::Image& finish) {
+    auto part = std::make_shared<FinishPart>();
+    part->first = finish.first();
+    part->last = finish.last();
+    if (const auto* light = finish.light()) {
+        part->light.reserve(light->size());
+        for (const wire::Light* l : *light) {
+            const wire::Vec3f& c = l->colour();
+            part->light.push_back({{c.x(), c.y(), c.z()}, l->transmittance()});
+        }
+    }
+    return part;
+}
+
+}  // namespace
+
+Order read_order(const Frame& content, std::size_t max_positions, std::string& fault) {
+    flatbuffers::Verifier verifier(content.data(), content.size());
+    if (!verifier.VerifyBuffer<wire::ToTracer>("PVTR")) {
+        fault = "an order that is none";
+        return {};
+    }
+    const auto* order = flatbuffers::GetRoot<wire::ToTracer>(content.data());
+    if (const wire::Trace* trace = order->order_as_Trace())
+        return {read_trace(*trace, max_positions, fault), nullptr};
+    if (const wire::Image* finish = order->order_as_Image())
+        return {nullptr, read_finish(*finish)};
+    fault = "an order of unknown kind";
+    return {};
 }
 
 }  // namespace povpreview::tracer

@@ -26,8 +26,13 @@ std::vector<std::uint8_t> answer_frame(const Slice& slice, const std::vector<Sam
 std::vector<std::uint8_t> failure_frame(const std::string& message, const std::string& file,
                                         unsigned line);
 
-/// The order in a frame's content; null, with the `fault` named, for anything but a sound one.
-std::shared_ptr<Batch> read_trace(const std::vector<std::uint8_t>& content,
-                                  std::size_t max_positions, std::string& fault);
+/// One of the two.
+struct Order {
+    std::shared_ptr<Batch> batch;
+    std::shared_ptr<FinishPart> finish;
+};
+/// The order in a frame's content; none, with the `fault` named, for anything but a sound one.
+Order read_order(const std::vector<std::uint8_t>& content, std::size_t max_positions,
+                 std::string& fault);
 
 }  // namespace povpreview::tracer

@@ -24,9 +24,23 @@ bool WorkQueue::add(std::shared_ptr<const Batch> batch) {
     return true;
 }
 
+void WorkQueue::close() {
+    {
+        const std::lock_guard lock(mutex_);
+        closed_ = true;
+    }
+    filled_.notify_all();
+}
+
+bool WorkQueue::finished() {
+    const std::lock_guard lock(mutex_);
+    return closed_ && waiting_ == 0;
+}
+
 Slice WorkQueue::take(std::chrono::nanoseconds patience) {
     std::unique_lock lock(mutex_);
-    if (!filled_.wait_for(lock, patience, [this] { return waiting_ > 0; })) return {};
+    if (!filled_.wait_for(lock, patience, [this] { return waiting_ > 0 || closed_; })) return {};
+    if (waiting_ == 0) return {};
     Slice slice;
     slice.batch = batches_.front();
     slice.first = taken_;

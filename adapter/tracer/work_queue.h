@@ -36,6 +36,11 @@ class WorkQueue {
     /// Appends a batch; false if the queue would exceed `max_waiting` samples.
     bool add(std::shared_ptr<const Batch> batch);
 
+    /// No more orders come: the threads may go when all that waits is traced.
+    void close();
+    /// Closed, and nothing waits.
+    bool finished();
+
     /// The next slice; an empty one when none came within `patience`.
     Slice take(std::chrono::nanoseconds patience);
 
@@ -51,6 +56,7 @@ class WorkQueue {
     std::size_t taken_ = 0;    ///< positions of the oldest batch already handed out
     std::size_t waiting_ = 0;  ///< positions in the queue not yet handed out
     std::size_t threads_ = 1;
+    bool closed_ = false;
     /// Mean cost of a sample, ns; starts at a guess that makes the first slices short.
     std::array<double, 3> cost_{100e3, 100e3, 100e3};
 };

@@ -97,7 +97,7 @@ class Figures {
     Exit run() {
         make_folder(options_.out, "--out");
         reference_ = stock_reference(options_.povray, options_.out, interrupted);
-        TracedScene scene(povray_.tracer_arguments(), options_.stall_timeout,
+        TracedScene scene(povray_, {.stall_timeout_s = options_.stall_timeout},
                           [&](const std::string& text) { line_.show(text); }, interrupted,
                           {.edges = EdgeFinding{.mirror_depth = options_.mirror_depth},
                            .items = options_.figure == 2});

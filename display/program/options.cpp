@@ -98,6 +98,32 @@ void parse(CLI::App& app, const std::vector<std::string>& words, std::vector<std
     }
 }
 
+/// What makes a preview the final render, and what keeps it.
+void add_finish(CLI::App& app, PreviewOptions& options, std::uint64_t& memory_mib) {
+    app.add_flag("--finish", options.finish,
+                 "In the end make POV-Ray's image from what was traced: anti-aliased (+A), named "
+                 "(+O) and stored (+F) as POV-Ray's options say");
+    app.add_option("--session", options.session,
+                   "Keep all that is traced in this file, about once a second")
+        ->option_text("FILE");
+    app.add_flag("--resume", options.resume,
+                 "Go on with the session's file, if there is one; scene and options must be as "
+                 "they were");
+    app.add_option("--memory-limit", memory_mib,
+                   "Mebibytes of memory that the tracer may take (default: no limit)")
+        ->check(CLI::Range(std::uint64_t{16}, std::uint64_t{1} << 32))
+        ->option_text("N");
+}
+
+void check_finish(const PreviewOptions& options) {
+    if (options.finish && (options.time || options.samples))
+        throw Error(Exit::usage, "--finish goes on to the end, and --time and --samples do not",
+                    "command line", "leave one of them out");
+    if (options.resume && options.session.empty())
+        throw Error(Exit::usage, "--resume does not know with what to go on", "command line",
+                    "name the session by --session FILE");
+}
+
 void read_preview(const std::vector<std::string>& words, CommandLine& result) {
     PreviewOptions options;
     CLI::App app(
@@ -113,6 +139,7 @@ void read_preview(const std::vector<std::string>& words, CommandLine& result) {
     app.set_help_flag("--help", "Show this text");
     bool version = false;
     std::string size;
+    std::uint64_t memory_mib = 0;
     const auto methods = method_names();
     auto methods_or_none = methods;
     methods_or_none.push_back("none");
@@ -144,6 +171,7 @@ void read_preview(const std::vector<std::string>& words, CommandLine& result) {
     app.add_option("--reference", options.reference,
                    "Finished picture of the same size; captions then tell the error against it")
         ->option_text("FILE");
+    add_finish(app, options, memory_mib);
     add_time(app, options);
     add_common(app, options);
     parse(app, words, options.povray, result);
@@ -153,6 +181,8 @@ void read_preview(const std::vector<std::string>& words, CommandLine& result) {
         return;
     }
     if (!size.empty()) options.size = read_size(size);
+    options.memory = memory_mib << 20;
+    check_finish(options);
     result.preview = std::move(options);
 }
 

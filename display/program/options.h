@@ -27,6 +27,10 @@ struct PreviewOptions {
     std::filesystem::path reference;  ///< finished picture that captions measure against, or empty
     int mirror_depth = 1;             ///< edges are found in mirrors seen in mirrors, so many deep
     double stall_timeout = 60;
+    bool finish = false;            ///< POV-Ray's image is made in the end
+    std::filesystem::path session;  ///< file that keeps the samples, or empty
+    bool resume = false;            ///< the session's samples are used
+    std::uint64_t memory = 0;       ///< bytes that the tracer may use; 0: any number
 };
 
 /// What `povpreview compare SCENE.pov...` was asked to do.

@@ -13,12 +13,15 @@
 #include "adapter/povray_options.h"
 #include "core/error_measures.h"
 #include "core/oracle_lanes.h"
+#include "core/sample_memory.h"
 #include "display/caption.h"
 #include "display/image_file.h"
 #include "display/offscreen.h"
 #include "display/program/folder.h"
 #include "display/program/interrupt.h"
+#include "display/program/povray_image.h"
 #include "display/program/schedule.h"
+#include "display/program/session_file.h"
 #include "display/program/strategy_run.h"
 #include "display/progress_line.h"
 #include "display/window.h"
@@ -50,13 +53,20 @@ class Preview {
     }
 
     Exit run() {
+        for (const std::string& departure : povray_.departures)
+            fmt::print(stderr, "povpreview: {}\n", departure);
+        if (options_.finish) scratch_.emplace();
         scene_.emplace(
-            povray_.tracer_arguments(), options_.stall_timeout,
+            povray_,
+            TracerWishes{options_.stall_timeout, scratch_ ? scratch_->path() : "", options_.memory},
             [&](const std::string& what) { line_.show(what); }, interrupted, foreknowledge());
+        if (options_.finish) check_image(scene_->description().output);
         open_window();
-        lanes_.emplace(scene_->oracle());
+        lanes_.emplace(samples());
         main_.emplace(options_.method, *scene_, lanes_->lane(0), !options_.samples);
         if (!options_.log.empty()) log_.emplace(options_.log);
+        if (const std::string missing = Sandbox::missing(); log_ && !missing.empty())
+            log_->write_event(scene_->time_s(), missing);
         // A run of so many samples shall come out the same each time, however fast all that is
         // found, and whatever rays take.
         if (options_.samples) scene_->wait_for_foreknowledge([this] { return stopped_early(); });
@@ -103,6 +113,41 @@ class Preview {
         }
     }
 
+    /// Where samples come from: the tracer, by way of a memory where they are to be kept.
+    SampleOracle& samples() {
+        if (!options_.finish && options_.session.empty()) return scene_->oracle();
+        const SceneDescription& scene = scene_->description();
+        memory_.emplace(scene_->oracle(), scene.width, scene.height);
+        if (!options_.session.empty()) open_session();
+        return *memory_;
+    }
+
+    void open_session() {
+        const SceneDescription& scene = scene_->description();
+        const SessionIdentity identity{
+            scene_->oracle().tracer().povray, scene.width, scene.height, scene.alpha,
+            povray_.sample_words(),           scene.files};
+        std::error_code gone;
+        if (options_.resume && std::filesystem::exists(options_.session, gone)) {
+            std::size_t count = 0;
+            session_.emplace(SessionFile::resume(options_.session, identity,
+                                                 [&](const Sample& sample, Parts parts) {
+                                                     memory_->recall(sample, parts);
+                                                     ++count;
+                                                 }));
+            say(fmt::format("going on with {} samples of {}", thousands(count),
+                            options_.session.string()));
+        } else {
+            session_.emplace(SessionFile::begin(options_.session, identity));
+        }
+        memory_->tell([this](const Sample& sample, Parts parts) { session_->add(sample, parts); });
+    }
+
+    void say(const std::string& text) {
+        line_.clear();
+        fmt::print(stderr, "povpreview: {}\n", text);
+    }
+
     Foreknowledge foreknowledge() const {
         MethodNeeds needs = method_needs(options_.method);
         if (options_.beside != "none") {
@@ -120,6 +165,7 @@ class Preview {
     /// One round of sampling; false when it is time to end.
     bool work() {
         if (stopped_early()) return false;
+        if (image_made_) return window_.has_value();  // there is no tracer any more
         if (options_.time && scene_->time_s() >= *options_.time) return false;
         if (options_.samples && main_->samples() >= *options_.samples) return false;
         if (options_.samples) main_->session().limit_full(*options_.samples);
@@ -130,8 +176,18 @@ class Preview {
             beside_->session().limit_full(main_->samples());
             going_ |= beside_->advance(0ms) && beside_->samples() < main_->samples();
         }
+        if (session_) keep_session();
+        if (!going_ && options_.finish) make_image();
         // A finished picture stays in its window until that is closed.
         return going_ || window_;
+    }
+
+    void keep_session() {
+        session_->write_some();
+        if (session_->trouble().empty()) return;
+        say(session_->trouble());
+        memory_->tell(nullptr);
+        session_.reset();
     }
 
     std::string beside_method() const {
@@ -249,6 +305,31 @@ class Preview {
             log_->write_event(scene_->time_s(), faults[faults_logged_]);
     }
 
+    /// The preview becomes the render. What goes wrong here is said, and the picture still saved.
+    void make_image() {
+        const auto interrupted_or_shown = [this] {
+            if (window_) window_->update(0ms);
+            return stopped_early();
+        };
+        if (session_) session_->write_all();
+        if (log_) write_log();
+        try {
+            const std::filesystem::path image = scene_->oracle().finish(
+                memory_->pixels(),
+                [this](const report::Progress& progress) { line_.show(sentence(progress)); },
+                interrupted_or_shown);
+            save_povray_image(image, scene_->description().output);
+            say("made " + scene_->description().output);
+            if (log_)
+                log_->write_event(scene_->time_s(),
+                                  "POV-Ray's image is made: " + scene_->description().output);
+        } catch (const Error& error) {
+            if (error.exit() != Exit::interrupted) failure_ = error;
+            image_failed_ = true;
+        }
+        image_made_ = true;
+    }
+
     /// Where the picture goes when nothing was said: beside nobody's own render.
     std::filesystem::path output() const {
         if (!options_.output.empty()) return options_.output;
@@ -297,10 +378,15 @@ class Preview {
         if (log_) write_log();
         if (!options_.snapshots.empty()) write_snapshot();
         // Asked for, or cut short, or nothing else to show for it.
-        const bool nothing_shown = !window_ && options_.snapshots.empty();
-        if (!options_.output.empty() || interrupted() || nothing_shown) save();
+        const bool nothing_shown = !window_ && options_.snapshots.empty() && !image_made_;
+        if (!options_.output.empty() || interrupted() || nothing_shown || image_failed_) save();
+        if (session_ && interrupted()) {
+            session_->write_all();
+            say(fmt::format("--session {} --resume goes on from here", session_->file().string()));
+        }
         for (const std::string& fault : scene_->oracle().faults())
             fmt::print(stderr, "povpreview: {}\n", fault);
+        if (failure_) throw *failure_;
     }
 
     const PreviewOptions& options_;
@@ -308,13 +394,17 @@ class Preview {
     Image reference_;
     ProgressLine line_;
     std::optional<Window> window_;
+    std::optional<ScratchFolder> scratch_;
     std::optional<TracedScene> scene_;
+    std::optional<SampleMemory> memory_;
+    std::optional<SessionFile> session_;
     std::optional<OracleLanes> lanes_;
     std::optional<StrategyRun> main_, beside_;
     std::optional<Offscreen> offscreen_;
     std::optional<ProgressLog> log_;
     GeometricSchedule schedule_;
-    bool going_ = true;
+    bool going_ = true, image_made_ = false, image_failed_ = false;
+    std::optional<Error> failure_;  // of POV-Ray's image
     double next_log_ = 0, next_frame_ = 0;
     int snapshots_ = 0;
     std::size_t faults_logged_ = 0;

@@ -24,6 +24,8 @@ std::string tracer_program() {
     return beside.string();
 }
 
+}  // namespace
+
 std::string sentence(const report::Progress& progress) {
     const char* stage = "";
     switch (progress.stage) {
@@ -42,20 +44,27 @@ std::string sentence(const report::Progress& progress) {
         case report::Stage::ready:
             stage = "ready";
             break;
+        case report::Stage::finishing:
+            stage = "making POV-Ray's image, pixels";
+            break;
     }
     if (progress.total > 0)
         return fmt::format("{}, {} of {}", stage, progress.done, progress.total);
     return progress.done > 0 ? fmt::format("{}, {}", stage, progress.done) : stage;
 }
 
-PovrayOracle::Settings settings(std::vector<std::string> arguments, double stall_timeout_s,
+namespace {
+
+PovrayOracle::Settings settings(const PovrayOptions& povray, const TracerWishes& wishes,
                                 bool geometry) {
     PovrayOracle::Settings result;
     result.program = tracer_program();
-    result.arguments = std::move(arguments);
+    result.arguments = povray.tracer_arguments(!wishes.finish_folder.empty());
     result.geometry = geometry;
+    result.finish_folder = wishes.finish_folder;
+    result.sandbox = SandboxRules{povray.readable, wishes.finish_folder, wishes.memory};
     result.stall_timeout =
-        std::chrono::milliseconds(static_cast<std::int64_t>(stall_timeout_s * 1000));
+        std::chrono::milliseconds(static_cast<std::int64_t>(wishes.stall_timeout_s * 1000));
     return result;
 }
 
@@ -93,12 +102,11 @@ Foreknowledge foreknowledge_for(const MethodNeeds& needs, int mirror_depth) {
     return result;
 }
 
-TracedScene::TracedScene(std::vector<std::string> povray_arguments, double stall_timeout_s,
+TracedScene::TracedScene(const PovrayOptions& povray, const TracerWishes& wishes,
                          const std::function<void(const std::string&)>& report,
                          const std::function<bool()>& interrupted,
                          const Foreknowledge& foreknowledge)
-    : oracle_(settings(std::move(povray_arguments), stall_timeout_s,
-                       foreknowledge.edges || foreknowledge.items)),
+    : oracle_(settings(povray, wishes, foreknowledge.edges || foreknowledge.items)),
       description_(oracle_.wait_for_scene(
           [&](const report::Progress& progress) { report(sentence(progress)); }, interrupted)),
       wants_items_(foreknowledge.items),

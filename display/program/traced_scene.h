@@ -2,6 +2,8 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <future>
 #include <memory>
@@ -9,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "adapter/povray_options.h"
 #include "adapter/povray_oracle.h"
 #include "core/detail/item_search.h"
 #include "core/edge_search.h"
@@ -24,13 +27,23 @@ struct Foreknowledge {
 
 Foreknowledge foreknowledge_for(const MethodNeeds& needs, int mirror_depth);
 
+/// What a tracer is doing, for people: "parsing, 12,000 tokens".
+std::string sentence(const report::Progress& progress);
+
+/// How a tracer is to be run.
+struct TracerWishes {
+    double stall_timeout_s = 60;
+    std::filesystem::path finish_folder = {};  ///< see PovrayOracle::Settings
+    std::uint64_t memory = 0;                  ///< bytes that it may use; 0: any number
+};
+
 /// A scene in a tracer of its own, parsed, and the clocks that run since.
 class TracedScene {
    public:
     /// Starts a tracer and waits for the end of the parse; `report` is told what it does
     /// ("parsing, 12,000 tokens"), `interrupted` asked whether to give up. Without foreknowledge
     /// the scene's geometry is not asked for. Throws Error.
-    TracedScene(std::vector<std::string> povray_arguments, double stall_timeout_s,
+    TracedScene(const PovrayOptions& povray, const TracerWishes& wishes,
                 const std::function<void(const std::string&)>& report,
                 const std::function<bool()>& interrupted, const Foreknowledge& foreknowledge);
 

@@ -20,6 +20,10 @@
 //                  geometry)
 //   parse=NAME     ends before the scene: error, exit, kill, refuse, hang, slow, bad_version,
 //                  no_hello, bad_size, tiny
+//   finish=NAME    when it has all pixels of the picture it tells of progress, writes them as text
+//   into
+//                  the file "image" of its finish folder, a line each, and leaves; or NAME is die
+//                  (before the file), failure, hang, nothing (leaves without the file)
 //   stubborn       ignores SIGTERM and the end of the wire
 //   chatty         writes a megabyte to its standard error before the scene
 #include <poll.h>
@@ -73,6 +77,7 @@ class FakeTracer {
     void send_geometry() const;
     void send_texels() const;
     void answer_one();
+    void take_image(const Order::Image& part);
     Slice slice(const Order& order, std::uint32_t first, std::uint32_t count) const;
     void commit_fault(Slice& right);
     [[noreturn]] static void die() {
@@ -94,6 +99,7 @@ class FakeTracer {
     std::deque<Piece> pieces_;
     std::mt19937 random_{1};
     long answered_ = 0;
+    std::vector<PixelLight> pixels_;
 };
 
 FakeTracer::FakeTracer(int wire, int argc, char** argv) : wire_(wire) {
@@ -107,7 +113,8 @@ FakeTracer::FakeTracer(int wire, int argc, char** argv) : wire_(wire) {
     if (std::ifstream(text("once"))) {
         if (has("geometry")) options_["geometry"] = "";
         if (has("texels")) options_["texels"] = "";
-        for (const char* fault : {"die_after", "die_at", "fault", "parse"}) options_.erase(fault);
+        for (const char* fault : {"die_after", "die_at", "fault", "parse", "finish"})
+            options_.erase(fault);
     }
     std::ofstream(text("once")) << "lived\n";
 }
@@ -136,12 +143,16 @@ bool FakeTracer::read_orders(bool wait) {
         if (in_.size() - at - 4 < size) break;
         const auto begin = in_.begin() + static_cast<std::ptrdiff_t>(at) + 4;
         Order order = decode_order(Bytes(begin, begin + size));
+        at += 4 + size;
+        if (order.image) {
+            take_image(*order.image);
+            continue;
+        }
         const auto count = static_cast<std::uint32_t>(order.positions.size());
         const auto step = static_cast<std::uint32_t>(number("slice", 16));
         for (std::uint32_t i = 0; i < count; i += step)
             pieces_.push_back({order.batch, i, std::min(step, count - i)});
         orders_[order.batch] = std::move(order);
-        at += 4 + size;
     }
     in_.erase(in_.begin(), in_.begin() + static_cast<std::ptrdiff_t>(at));
     return true;
@@ -264,6 +275,28 @@ void FakeTracer::answer_one() {
     if (has("delay_us")) usleep(static_cast<useconds_t>(number("delay_us", 0)));
     send(answer_frame(right));
     answered_ += piece.count;
+}
+
+void FakeTracer::take_image(const Order::Image& part) {
+    if (part.first != pixels_.size()) std::exit(4);
+    pixels_.insert(pixels_.end(), part.pixels.begin(), part.pixels.end());
+    if (!part.last) return;
+    const std::string how = text("finish");
+    for (std::uint64_t i = 0; i < 3; ++i)
+        send(progress_frame(static_cast<std::uint8_t>(report::Stage::finishing), i, 3));
+    if (how == "die") die();
+    if (how == "hang") hang();
+    if (how == "failure") {
+        send(failure_frame("Fatal error in renderer: Out of memory", "", 0));
+        std::exit(1);
+    }
+    if (how == "nothing") std::exit(0);
+    const char* folder = std::getenv("POVPREVIEW_FINISH");
+    std::ofstream file(std::string(folder ? folder : ".") + "/image");
+    for (const PixelLight& p : pixels_)
+        file << p.known << ' ' << p.colour.x << ' ' << p.transmittance << '\n';
+    file.close();
+    std::exit(0);
 }
 
 int FakeTracer::run() {

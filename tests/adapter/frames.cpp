@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "tests/adapter/frames.h"
 
+#include <cmath>
 #include <cstring>
 #include <limits>
 #include <stdexcept>
@@ -52,9 +53,10 @@ Bytes scene_frame(std::uint32_t width, std::uint32_t height) {
     const std::vector textures{wire::CreateCountDirect(b, "plain", 3)};
     const std::vector objects{wire::CreateCountDirect(b, "sphere", 2),
                               wire::CreateCountDirect(b, "plane", 1)};
+    const std::vector files{b.CreateString("x.pov"), b.CreateString("y.inc")};
     return frame(b, wire::Report::Scene,
                  wire::CreateSceneDirect(b, width, height, 2.2F, true, camera, &lights, &features,
-                                         &textures, &objects, &background)
+                                         &textures, &objects, &background, true, "out.png", &files)
                      .Union());
 }
 
@@ -271,7 +273,18 @@ Order decode_order(const Bytes& flatbuffer) {
     flatbuffers::Verifier verifier(bytes, flatbuffer.size());
     if (!verifier.VerifyBuffer<wire::ToTracer>("PVTR"))
         throw std::runtime_error("not an order to the tracer");
-    const wire::Trace* trace = flatbuffers::GetRoot<wire::ToTracer>(bytes)->order_as_Trace();
+    const auto* any = flatbuffers::GetRoot<wire::ToTracer>(bytes);
+    if (const wire::Image* from = any->order_as_Image()) {
+        Order order;
+        order.image = Order::Image{from->first(), {}, from->last()};
+        if (from->light())
+            for (const wire::Light* l : *from->light())
+                order.image->pixels.push_back({{l->colour().x(), l->colour().y(), l->colour().z()},
+                                               l->transmittance(),
+                                               !std::isnan(l->colour().x())});
+        return order;
+    }
+    const wire::Trace* trace = any->order_as_Trace();
     if (!trace || !trace->positions()) throw std::runtime_error("an order without positions");
     Order order{.batch = trace->batch(),
                 .kind = static_cast<RayKind>(trace->kind()),

@@ -4,11 +4,13 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "adapter/geometry.h"
 #include "core/oracle.h"
+#include "core/pixel_light.h"
 
 /// The tracer's end of the wire for tests: makes frames, right ones and wrong ones.
 namespace povpreview::fake {
@@ -46,7 +48,14 @@ std::vector<Texel> small_texels();
 Geometry small_geometry();
 Bytes failure_frame(const std::string& message, const std::string& file, std::uint32_t line);
 
+/// For samples or, if it has `image`, a part of the finished picture.
 struct Order {
+    struct Image {
+        std::uint32_t first = 0;
+        std::vector<PixelLight> pixels;
+        bool last = false;
+    };
+    std::optional<Image> image = std::nullopt;
     std::uint64_t batch = 0;
     RayKind kind = RayKind::full;
     Parts parts = Parts::colour;

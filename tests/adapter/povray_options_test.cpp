@@ -181,6 +181,77 @@ TEST_F(PovrayOptionsTest, StockPovrayMakesOneWholePictureOfTheSizeAsked) {
     EXPECT_EQ(head[25], 2);   // RGB, no alpha
 }
 
+TEST_F(PovrayOptionsTest, WhatAPreviewDoesOtherwiseIsSaid) {
+    const auto departures = [](const std::vector<std::string>& words) {
+        std::vector<std::string> all{"a.pov"};
+        all.insert(all.end(), words.begin(), words.end());
+        return read_povray_options(all).departures;
+    };
+    EXPECT_TRUE(departures({}).empty());
+    EXPECT_TRUE(departures({"+A0.1", "+RFI", "-RFO", "-SP8", "-C", "+KFF1", "-GA", "+FN16",
+                            "Radiosity_To_File=off", "Final_Frame=1", "+GA"})
+                    .empty());
+    for (const char* word :
+         {"+RFO", "Radiosity_To_File=on", "Pre_Scene_Command=ls", "+SP16", "+EP4",
+          "Preview_Start_Size=8", "+C", "Continue_Trace=yes", "+KFF20", "Final_Frame=20",
+          "+GAall.txt", "+GImade.ini", "Create_Ini=made.ini", "Statistic_File=s"})
+        EXPECT_EQ(departures({word}).size(), 1U) << word;
+    write("many.ini", "Post_Frame_Command=rm -r .\n+SP8 +RFO\n[other]\n+C\n");
+    EXPECT_EQ(departures({"many.ini"}).size(), 3U);
+    EXPECT_EQ(departures({"many.ini[other]"}).size(), 4U);
+}
+
+TEST_F(PovrayOptionsTest, TheTracerMayReadWhatLeadsToTheScene) {
+    fs::create_directory("lib");
+    write("own.ini", "Library_Path=lib\n");
+    const std::vector<fs::path> readable = read_povray_options({"a.pov", "own.ini"}).readable;
+    const auto has = [&](const fs::path& path) {
+        return std::find(readable.begin(), readable.end(), path) != readable.end();
+    };
+    EXPECT_TRUE(has(fs::current_path()));
+    EXPECT_TRUE(has("lib"));
+    EXPECT_TRUE(has("own.ini"));
+    EXPECT_FALSE(has("/"));
+    EXPECT_FALSE(has(""));
+}
+
+TEST(PovrayWords, SamplesDependOnThoseThatChangeTheScene) {
+    for (const char* word :
+         {"+W640", "Height=480", "Declare=X=1", "+Q4", "+K0.5", "+UA", "Output_Alpha=on", "a.pov",
+          "+Llib", "+MV3.5", "+RFI", "+RFsaved.rca", "Quality=3", "-MB", "other.ini"})
+        EXPECT_TRUE(samples_depend_on(word)) << word;
+    for (const char* word : {"+A0.1",
+                             "-A",
+                             "+AM2",
+                             "+AG2.2",
+                             "+J",
+                             "-J0.5",
+                             "+R3",
+                             "+Ofile.png",
+                             "+FN16",
+                             "-F",
+                             "+FP",
+                             "+D",
+                             "+P",
+                             "-V",
+                             "+WT4",
+                             "+SP8",
+                             "+GA",
+                             "+GSfile",
+                             "+TH",
+                             "+SC0.5",
+                             "Antialias=on",
+                             "Antialias_Threshold=0.1",
+                             "Sampling_Method=2",
+                             "Jitter=off",
+                             "Output_File_Name=x",
+                             "Output_File_Type=T",
+                             "File_Gamma=2",
+                             "Work_Threads=3",
+                             "Dither=on"})
+        EXPECT_FALSE(samples_depend_on(word)) << word;
+}
+
 TEST(PovrayWords, AreSplitOutsideQuotes) {
     using Words = std::vector<std::string>;
     EXPECT_EQ(split_words("+W3  +I\"a b.pov\"\t'c d'"), (Words{"+W3", "+I\"a b.pov\"", "'c d'"}));

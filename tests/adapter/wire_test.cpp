@@ -210,7 +210,7 @@ TEST(Wire, EveryContradictionHasItsSentence) {
               "an answer for samples 4294967295 to 4294967300 of a batch");
     EXPECT_EQ(fault_if([](auto& s) { s.failed = {5}; }), "failed sample 5 in an answer of 5");
     EXPECT_EQ(fault_of(content(fake::scene_frame(0, 5))), "an image size of 0 x 5");
-    EXPECT_EQ(fault_of(content(fake::progress_frame(5, 0, 0))), "an unknown stage (5)");
+    EXPECT_EQ(fault_of(content(fake::progress_frame(6, 0, 0))), "an unknown stage (6)");
     EXPECT_EQ(fault_of(Bytes(64)), "bytes that are no report");
     EXPECT_EQ(fault_of(Bytes()), "bytes that are no report");
 }

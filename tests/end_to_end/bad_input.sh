@@ -51,6 +51,11 @@ expect 2 'nowhere' good.pov --headless --output /nowhere/x.png
 expect 2 'nowhere' good.pov --headless --log /nowhere/log
 expect 2 'snap' good.pov --headless --snapshots /proc/snap
 expect 2 'x.bmp' good.pov --headless --output x.bmp
+expect 2 'finish' good.pov --headless --finish --time 3
+expect 2 '-F' good.pov --headless --finish -F
+expect 2 'stdout' good.pov --headless --finish +O-
+expect 2 'nowhere' good.pov --headless --finish +O/nowhere/x.png
+expect 2 'memory' good.pov --headless --memory-limit 3
 expect 2 'out' compare good.pov
 expect 2 'nowhere' compare good.pov --out /proc/nowhere
 expect 1 'error.pov.*line 4' compare error.pov --out c

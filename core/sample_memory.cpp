@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "core/sample_memory.h"
+
+#include <bit>
+#include <cassert>
+#include <cmath>
+
+namespace povpreview {
+
+std::size_t SampleMemory::KeyHash::operator()(const Key& key) const {
+    // Positions on pixel centres differ in few bits; a multiplication spreads them.
+    constexpr std::uint64_t odd = 0x9e3779b97f4a7c15;
+    std::uint64_t hash = std::bit_cast<std::uint64_t>(key.x) * odd;
+    hash = (hash ^ (hash >> 32) ^ std::bit_cast<std::uint64_t>(key.y)) * odd;
+    hash = (hash ^ (hash >> 32) ^ static_cast<std::uint64_t>(key.kind)) * odd;
+    return static_cast<std::size_t>(hash ^ (hash >> 32));
+}
+
+SampleMemory::SampleMemory(SampleOracle& oracle, int width, int height)
+    : oracle_(oracle),
+      width_(width),
+      height_(height),
+      pixels_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {}
+
+Sample with_parts(const Sample& sample, Parts parts) {
+    if (sample.kind != RayKind::full) return sample;  // these have no choice
+    Sample result = sample;
+    if (!contains(parts, Parts::surface)) {
+        result.surface = 0;
+        result.depth = 0;
+        result.normal = {};
+    }
+    if (!contains(parts, Parts::shading))
+        result.albedo = result.illumination = result.remainder = {};
+    if (!contains(parts, Parts::signature)) result.signature = {};
+    return result;
+}
+
+void SampleMemory::recall(const Sample& sample, Parts parts) {
+    const Key key{sample.position.x, sample.position.y, sample.kind};
+    const auto [known, is_new] = memory_.try_emplace(key, Remembered{sample, parts});
+    const unsigned had = static_cast<unsigned>(known->second.parts);
+    if (!is_new && (had & ~static_cast<unsigned>(parts)) == 0) known->second = {sample, parts};
+}
+
+const SampleMemory::Remembered* SampleMemory::find(const Request& request, Parts parts) const {
+    const auto known = memory_.find({request.position.x, request.position.y, request.kind});
+    if (known == memory_.end()) return nullptr;
+    const unsigned has = static_cast<unsigned>(known->second.parts);
+    const bool enough = request.kind != RayKind::full || (static_cast<unsigned>(parts) & ~has) == 0;
+    return enough ? &known->second : nullptr;
+}
+
+/// Keeps what a pixel is made of.
+void SampleMemory::see(const Sample& sample) {
+    if (sample.kind != RayKind::full) return;
+    const double column = std::floor(sample.position.x), row = std::floor(sample.position.y);
+    if (sample.position != glm::dvec2(column + .5, row + .5) || column < 0 || row < 0 ||
+        column >= width_ || row >= height_)
+        return;
+    const bool usable = !sample.failed && std::isfinite(sample.colour.x) &&
+                        std::isfinite(sample.colour.y) && std::isfinite(sample.colour.z);
+    pixels_[static_cast<std::size_t>(row) * static_cast<std::size_t>(width_) +
+            static_cast<std::size_t>(column)] = {sample.colour, sample.transmittance, usable};
+}
+
+void SampleMemory::submit(std::span<const Request> requests, Parts parts) {
+    asked_.clear();
+    for (const Request& request : requests) {
+        const Remembered* known = find(request, parts);
+        slots_.push_back(
+            {known ? with_parts(known->sample, parts) : Sample{}, parts, known != nullptr});
+        if (known) {
+            ++recalled_;
+        } else {
+            asked_.push_back(request);
+            ++waiting_;
+        }
+    }
+    if (!asked_.empty()) oracle_.submit(asked_, parts);
+}
+
+void SampleMemory::collect(std::vector<Sample>& samples, std::chrono::nanoseconds patience) {
+    if (waiting_ > 0) {
+        const bool ready = slots_.front().answered;
+        arrived_.clear();
+        oracle_.collect(arrived_, ready ? std::chrono::nanoseconds::zero() : patience);
+        for (const Sample& sample : arrived_) {
+            while (slots_[first_waiting_].answered) ++first_waiting_;
+            Slot& slot = slots_[first_waiting_];
+            slot.sample = sample;
+            slot.answered = true;
+            --waiting_;
+            if (listener_) listener_(sample, slot.parts);
+        }
+    }
+    while (!slots_.empty() && slots_.front().answered) {
+        see(slots_.front().sample);
+        samples.push_back(slots_.front().sample);
+        slots_.pop_front();
+        if (first_waiting_ > 0) --first_waiting_;
+    }
+}
+
+}  // namespace povpreview
