@@ -92,7 +92,8 @@ class Comparison {
         scene.smooth_reference =
             stock_reference(named.words, scene.folder, interrupted, Antialiasing::on);
         const ErrorMeter plain = meter(scene.reference), smooth = meter(scene.smooth_reference);
-        ReportScene shown{.name = scene.name, .folder = scene.folder, .notes = {}, .complete = {}};
+        ReportScene shown{
+            .name = scene.name, .folder = scene.folder, .plans = {}, .notes = {}, .complete = {}};
         std::vector<CurvePoint> curves;
         for (int repeat = 1; repeat <= options_.repeat; ++repeat) {
             std::vector<std::string> order = options_.methods;
@@ -103,6 +104,7 @@ class Comparison {
                 if (repeat == 1) {
                     remove_pictures(scene.folder, method);
                     shown.notes.emplace_back(method, run.notes);
+                    if (!run.plan.empty()) shown.plans.emplace_back(method, run.plan);
                     shown.complete.emplace_back(method, run.complete);
                 }
                 measure(scene, method, repeat, run.moments, plain, smooth, curves);

@@ -97,23 +97,28 @@ class ComparisonFigures {
     }
 
     void draw_curves() {
+        draw_curves_over(axes().front(), "figure.svg");
+        draw_curves_over(axes().back(), "rays.svg");
+        std::string text = "method,time_s,full,probe,albedo,l1\n";
+        for (const CurvePoint& p : curves_)
+            text += fmt::format("{},{:.6f},{},{},{},{:.8g}\n", p.method, p.standing.time_s,
+                                p.standing.full, p.standing.probe, p.standing.albedo, p.plain.l1);
+        write_text(options_.out / "curves.csv", text);
+    }
+
+    void draw_curves_over(const Axis& axis, const char* file) {
         Plot plot{.title = "Error of previews of " + scene_.name,
-                  .x_title = axes().front().title,
+                  .x_title = axis.title,
                   .y_title = "L1 error",
                   .curves = {},
                   .least_y = 2e-4};
         for (const char* method : methods) {
             Plot::Curve curve{.name = method, .colour = method_colour(method), .points = {}};
             for (const CurvePoint* p : run_of(curves_, scene_.name, method, 1))
-                curve.points.emplace_back(p->standing.time_s, p->plain.l1);
+                curve.points.emplace_back(axis.of(*p), p->plain.l1);
             plot.curves.push_back(std::move(curve));
         }
-        draw_plot(plot, options_.out / "figure.svg");
-        std::string text = "method,time_s,full,probe,albedo,l1\n";
-        for (const CurvePoint& p : curves_)
-            text += fmt::format("{},{:.6f},{},{},{},{:.8g}\n", p.method, p.standing.time_s,
-                                p.standing.full, p.standing.probe, p.standing.albedo, p.plain.l1);
-        write_text(options_.out / "curves.csv", text);
+        draw_plot(plot, options_.out / file);
     }
 
     const FiguresOptions& options_;

@@ -15,6 +15,7 @@
 #include "core/error_measures.h"
 #include "core/pixel_canvas.h"
 #include "display/program/interrupt.h"
+#include "display/program/plan.h"
 #include "display/program/schedule.h"
 #include "display/program/strategy_run.h"
 
@@ -94,6 +95,8 @@ MethodRun run_ours(const std::string& method, const ComparedScene& compared,
     }
     take(next, "end");
     result.complete = run.previewer().done();
+    if (const std::vector<Stage> stages = run.stages(); !stages.empty())
+        result.plan = plan_table(stages, true);
     for (const auto& report : {scene.take_item_report(), scene.take_edge_report()})
         if (report) result.notes.push_back(*report);
     for (const std::string& fault : scene.oracle().faults()) result.notes.push_back(fault);

@@ -28,6 +28,7 @@ struct Moment {
 struct MethodRun {
     std::vector<Moment> moments;
     bool complete = false;           ///< every pixel shows its own sample
+    std::string plan;                ///< plan_table() in the end; empty where a method has none
     std::vector<std::string> notes;  ///< what was known without tracing, what was mended
 };
 

@@ -238,7 +238,8 @@ void read_figures(const std::vector<std::string>& words, CommandLine& result) {
         "textures as far as they were traced, the first preview, the DetailMap in the end, the "
         "preview in the end.\n"
         "Figure 3, previewers compared: blocks, delaunay and mesh at four points in time.\n"
-        "Figure 4, the L1 errors of the three over time, in figure.svg.\n\n"
+        "Figure 4, the L1 errors of the three over time, in figure.svg, and over rays, in "
+        "rays.svg.\n\n"
         "  povpreview figures [POV-Ray options] SCENE.pov --out DIR [options]",
         "povpreview figures");
     app.set_help_flag("--help", "Show this text");

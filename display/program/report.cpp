@@ -236,8 +236,9 @@ class Report {
         for (const Totals& t : contents_.summary.totals) {
             if (t.scene != scene.name) continue;
             const auto each = [](double seconds, double rays) {
-                return rays > 0 && seconds > 0 ? fmt::format("{:.2g}", 1e6 * seconds / rays)
-                                               : std::string("&ndash;");
+                if (rays <= 0 || seconds <= 0) return std::string("&ndash;");
+                const double microseconds = 1e6 * seconds / rays;
+                return fmt::format("{:.{}f}", microseconds, microseconds < 10 ? 1 : 0);
             };
             const auto complete = std::find_if(scene.complete.begin(), scene.complete.end(),
                                                [&](const auto& c) { return c.first == t.method; });
@@ -255,15 +256,19 @@ class Report {
     }
 
     std::string notes(const ReportScene& scene) const {
+        std::string text;
+        for (const auto& [method, plan] : scene.plans)
+            text += fmt::format(
+                "<div class=\"scroll\"><p><b>The plan of {}, and what it took</b></p><pre>{}</pre>"
+                "</div>\n",
+                html_escaped(method), html_escaped(plan));
         std::string items;
         for (const auto& [method, sentences] : scene.notes)
             for (const std::string& sentence : sentences)
                 items += fmt::format("<li><b>{}</b>: {}</li>\n", html_escaped(method),
                                      html_escaped(sentence));
-        if (items.empty()) return "";
-        return "<details><summary>What was known without tracing, and what was "
-               "mended</summary><ul>" +
-               items + "</ul></details>\n";
+        if (!items.empty()) text += "<ul class=\"notes\">" + items + "</ul>\n";
+        return text;
     }
 
     // ---- the end

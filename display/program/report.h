@@ -18,6 +18,7 @@ namespace povpreview {
 struct ReportScene {
     std::string name;
     std::filesystem::path folder;
+    std::vector<std::pair<std::string, std::string>> plans;  ///< by method, tables as plain text
     std::vector<std::pair<std::string, std::vector<std::string>>> notes;  ///< by method
     std::vector<std::pair<std::string, bool>> complete;                   ///< by method
 };

@@ -46,7 +46,8 @@ img.crop { image-rendering: pixelated; }
 dl { display: grid; grid-template-columns: max-content 1fr; gap: .2rem 1rem; }
 dt { color: #666; }
 dd { margin: 0; overflow-wrap: anywhere; }
-summary { cursor: pointer; color: #0072b2; margin: .6rem 0; }
+pre { font-size: .8rem; line-height: 1.35; margin: .3rem 0; }
+.notes { font-size: .92rem; padding-left: 1.2rem; }
 @media (max-width: 30rem) {
   body { padding: .7rem; font-size: 15px; }
   th, td { padding: .2rem .45rem; }

@@ -76,7 +76,8 @@ check "figure 3 succeeds" figures room.pov +W160 +H120 --out three --figure 3
 check "three pictures a row" test "$(grep -cE '^[a-l]: (blocks|delaunay|mesh)' out)" = "$(ls three/[a-l].png | wc -l)"
 check "its sheet" test -s three/figure.png
 check "figure 4 succeeds" figures room.pov +W160 +H120 --out four --figure 4
-check "a drawing" grep -q '</svg>' four/figure.svg
+check "a drawing over time" grep -q '</svg>' four/figure.svg
+check "a drawing over rays" grep -q 'rays of all kinds' four/rays.svg
 check "its curves end at the finished picture" ends_exact
 figures room.pov --out d --figure 5
 check "there is no fifth figure" test $? = 2
