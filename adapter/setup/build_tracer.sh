@@ -102,5 +102,5 @@ mkdir -p "$cache/tracer-$hash"
 cp "$tree/unix/povray" "$cache/tracer-$hash/povray.new"
 strip "$cache/tracer-$hash/povray.new"
 mv "$cache/tracer-$hash/povray.new" "$binary"
-rm -rf "$cache"/build-*
+rm -rf "$cache/build-$hash"
 say "the tracer is ready: $binary"
