@@ -1,33 +1,41 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <unistd.h>
+
+#include <utility>
+
 namespace povpreview {
 
 /// Owns a file descriptor.
 class FileDescriptor {
    public:
-    explicit FileDescriptor(int fd = -1) : fd_(fd) {}
+    FileDescriptor() = default;
+    explicit FileDescriptor(int fd) : fd_(fd) {}
     ~FileDescriptor() { reset(); }
-    FileDescriptor(FileDescriptor&& other) noexcept : fd_(other.release()) {}
+    FileDescriptor(FileDescriptor&& other) noexcept : fd_(std::exchange(other.fd_, -1)) {}
     FileDescriptor& operator=(FileDescriptor&& other) noexcept {
         if (this != &other) {
             reset();
-            fd_ = other.release();
+            fd_ = std::exchange(other.fd_, -1);
         }
         return *this;
     }
 
     int get() const { return fd_; }
     bool open() const { return fd_ >= 0; }
-    void reset();
+    void reset() {
+        if (fd_ >= 0) close(fd_);
+        fd_ = -1;
+    }
 
    private:
-    int release() {
-        const int fd = fd_;
-        fd_ = -1;
-        return fd;
-    }
-    int fd_;
+    int fd_ = -1;
+};
+
+/// A pair of descriptors that a child of this process is to be given one of.
+struct Ends {
+    FileDescriptor ours, theirs;
 };
 
 }  // namespace povpreview

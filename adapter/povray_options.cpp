@@ -52,6 +52,10 @@ class Reader {
     std::vector<fs::path> readable() const;
     std::vector<std::string> departures() const;
 
+    FrameRange frames;
+    bool antialias = false;
+    int threads = 0;
+
    private:
     void read_ini(const std::string& specification, int depth);
     void read_ini_file(const fs::path& file, const std::string& section, int depth);
@@ -105,6 +109,9 @@ void Reader::take(std::string_view text, int depth) {
     if (word.kind == Kind::input) in_ini_ = word.value;
     if (word.kind == Kind::library) libraries_.emplace_back(word.value);
     if (word.kind == Kind::ini) read_ini(word.value, depth);
+    if (word.kind == Kind::antialias) antialias = is_on(word.value);
+    if (word.kind == Kind::threads) threads = std::atoi(word.value.c_str());
+    frames.take(word);
 }
 
 /// `specification` is a file name with a section behind it in brackets, or none.
@@ -245,20 +252,50 @@ PovrayOptions read_povray_options(const std::vector<std::string>& words) {
     result.scene = reader.scene();
     result.readable = reader.readable();
     result.departures = reader.departures();
+    result.frames = reader.frames;
+    result.antialias = reader.antialias;
+    result.threads = reader.threads;
     return result;
 }
 
-std::vector<std::string> PovrayOptions::tracer_arguments(bool finish) const {
+namespace {
+
+/// One frame, even where an INI file describes an animation.
+void add_frame(std::vector<std::string>& words, std::optional<int> frame) {
+    if (frame) {
+        words.push_back(fmt::format("Subset_Start_Frame={}", *frame));
+        words.push_back(fmt::format("Subset_End_Frame={}", *frame));
+        return;
+    }
+    // The still picture; what clock it has, +K says.
+    words.emplace_back("Initial_Frame=1");
+    words.emplace_back("Final_Frame=1");
+}
+
+const char* file_type(StockPicture::Type type) {
+    switch (type) {
+        case StockPicture::Type::png8:
+            return "+FN8";
+        case StockPicture::Type::exr:
+            return "+FE";
+        case StockPicture::Type::png16:
+            break;
+    }
+    return "+FN16";
+}
+
+}  // namespace
+
+std::vector<std::string> PovrayOptions::tracer_arguments(const TracerPicture& picture) const {
     std::vector<std::string> result;
     // A word whose file POV-Ray may not write would end it.
     const auto passed_on = [](const std::string& word) {
         return departure_of(word) != Departure::writes_messages;
     };
     std::copy_if(words.begin(), words.end(), std::back_inserter(result), passed_on);
-    // One frame even where an INI file describes an animation; which one, +K says.
-    for (const char* forced : {"Initial_Frame=1", "Final_Frame=1", "-D", "-P", "-C", "-RFO"})
-        result.emplace_back(forced);
-    if (!finish) result.emplace_back("-F");
+    add_frame(result, picture.frame);
+    for (const char* forced : {"-D", "-P", "-C", "-RFO"}) result.emplace_back(forced);
+    if (!picture.finish) result.emplace_back("-F");
     return result;
 }
 
@@ -270,16 +307,18 @@ std::vector<std::string> PovrayOptions::sample_words() const {
     return result;
 }
 
-std::vector<std::string> PovrayOptions::stock_arguments(const fs::path& output) const {
+std::vector<std::string> PovrayOptions::stock_arguments(const StockPicture& picture) const {
     std::vector<std::string> result = words;
+    add_frame(result, picture.frame);
+    if (!picture.antialias) result.emplace_back("-A");  // one sample per pixel
+    result.emplace_back(file_type(picture.type));
     for (const char* forced :
-         {"Initial_Frame=1", "Final_Frame=1", "-D", "-P", "-C", "-A",  // one sample per pixel
-          "+SC0.0", "+EC1.0", "+SR0.0", "+ER1.0",                      // the whole image
-          "+FN16", "-UA", "-TH", "Grayscale_Output=off", "File_Gamma=sRGB",
+         {"-D", "-P", "-C", "+SC0.0", "+EC1.0", "+SR0.0", "+ER1.0",  // the whole image
+          "-UA", "-TH", "Grayscale_Output=off", "File_Gamma=sRGB",
           // Warnings and what ends it; -GA would also silence the line that says where.
           "-GD", "-GR", "-GS"})
         result.emplace_back(forced);
-    result.push_back("+O" + quoted_name(output.string()));
+    result.push_back("+O" + quoted_name(picture.output));
     return result;
 }
 

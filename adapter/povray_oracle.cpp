@@ -66,7 +66,8 @@ void PovrayOracle::start() {
     try {
         process_ = std::make_unique<TracerProcess>(
             settings_.program, settings_.arguments,
-            TracerSetting{settings_.geometry, settings_.finish_folder, settings_.sandbox});
+            TracerSetting{settings_.geometry, settings_.finish_folder, settings_.sandbox,
+                          settings_.watch});
     } catch (const Error& error) {
         broken_ = error;
         throw;

@@ -51,6 +51,7 @@ class PovrayOracle : public SampleOracle {
         bool geometry = true;                      ///< ask for the scene's polygons
         std::filesystem::path finish_folder = {};  ///< for finish(): a folder of its own
         std::optional<SandboxRules> sandbox = {};  ///< else it may do what we may
+        FileWatch* watch = nullptr;                ///< is told what files it opens, or nobody
         /// Silence while answers are outstanding that counts as a stall. Parsing has no limit.
         std::chrono::milliseconds stall_timeout = std::chrono::seconds(60);
     };

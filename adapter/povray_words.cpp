@@ -2,7 +2,6 @@
 #include "adapter/povray_words.h"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <filesystem>
 #include <utility>
@@ -41,21 +40,41 @@ std::string_view trimmed(std::string_view text) {
     return text;
 }
 
-/// Longer switches first: +HR is no height, +WT no width.
-constexpr std::array<std::pair<std::string_view, Kind>, 8> switches{{{"hi", Kind::other},
-                                                                     {"hr", Kind::other},
-                                                                     {"wl", Kind::other},
-                                                                     {"wt", Kind::other},
-                                                                     {"h", Kind::height},
-                                                                     {"w", Kind::width},
-                                                                     {"i", Kind::input},
-                                                                     {"l", Kind::library}}};
-constexpr std::array<std::pair<std::string_view, Kind>, 5> keywords{
-    {{"height", Kind::height},
-     {"width", Kind::width},
-     {"input_file_name", Kind::input},
-     {"include_ini", Kind::ini},
-     {"library_path", Kind::library}}};
+/// Longer switches first: +HR is no height, +AM no anti-aliasing.
+constexpr std::pair<std::string_view, Kind> switches[] = {
+    {"am", Kind::other},        {"a", Kind::antialias},
+    {"ef", Kind::subset_end},   {"hi", Kind::other},
+    {"hr", Kind::other},        {"h", Kind::height},
+    {"i", Kind::input},         {"kc", Kind::cyclic},
+    {"kff", Kind::final_frame}, {"kfi", Kind::initial_frame},
+    {"l", Kind::library},       {"sf", Kind::subset_start},
+    {"stp", Kind::frame_step},  {"wl", Kind::other},
+    {"wt", Kind::threads},      {"w", Kind::width}};
+constexpr std::pair<std::string_view, Kind> keywords[] = {
+    {"antialias", Kind::antialias},
+    {"cyclic_animation", Kind::cyclic},
+    {"final_frame", Kind::final_frame},
+    {"frame_step", Kind::frame_step},
+    {"height", Kind::height},
+    {"include_ini", Kind::ini},
+    {"initial_frame", Kind::initial_frame},
+    {"input_file_name", Kind::input},
+    {"library_path", Kind::library},
+    {"subset_end_frame", Kind::subset_end},
+    {"subset_start_frame", Kind::subset_start},
+    {"width", Kind::width},
+    {"work_threads", Kind::threads}};
+
+PovrayWord read_switch(std::string_view word) {
+    const std::string key = lower(word.substr(1));
+    for (const auto& [name, kind] : switches) {
+        if (!key.starts_with(name)) continue;
+        if (kind == Kind::antialias || kind == Kind::cyclic)
+            return {kind, word.front() == '+' ? "on" : "off"};
+        return {kind, unquoted(word.substr(1 + name.size()))};
+    }
+    return {};
+}
 
 PovrayWord read_name(std::string_view word) {
     const std::string name = unquoted(word);
@@ -86,12 +105,7 @@ std::vector<std::string> split_words(std::string_view text) {
 
 PovrayWord read_word(std::string_view word) {
     if (word.empty()) return {};
-    if (word.front() == '+' || word.front() == '-') {
-        const std::string key = lower(word.substr(1));
-        for (const auto& [name, kind] : switches)
-            if (key.starts_with(name)) return {kind, unquoted(word.substr(1 + name.size()))};
-        return {};
-    }
+    if (word.front() == '+' || word.front() == '-') return read_switch(word);
     const std::size_t equals = word.find('=');
     if (equals == std::string_view::npos || word.front() == '"' || word.front() == '\'')
         return read_name(word);
@@ -181,6 +195,11 @@ bool samples_depend_on(std::string_view word) {
     if (is_one_of(keywords, name)) return false;
     return std::none_of(std::begin(beginnings), std::end(beginnings),
                         [&](std::string_view begin) { return name.starts_with(begin); });
+}
+
+bool is_on(std::string_view value) {
+    const std::string word = lower(trimmed(value));
+    return word == "on" || word == "true" || word == "yes" || word == "1";
 }
 
 std::string quoted_name(const std::string& name) {

@@ -11,11 +11,19 @@ namespace povpreview {
 /// One setting. Only those that we must understand are told apart.
 struct PovrayWord {
     enum class Kind {
-        input,    ///< +Ifile, Input_File_Name=file, file.pov
-        library,  ///< +Lfolder, Library_Path=folder, folder/
-        ini,      ///< file.ini[section], Include_Ini=file
-        width,    ///< +Wn, Width=n
-        height,   ///< +Hn, Height=n
+        input,          ///< +Ifile, Input_File_Name=file, file.pov
+        library,        ///< +Lfolder, Library_Path=folder, folder/
+        ini,            ///< file.ini[section], Include_Ini=file
+        width,          ///< +Wn, Width=n
+        height,         ///< +Hn, Height=n
+        antialias,      ///< +A, -A, Antialias=bool; the switches' value is "on" or "off"
+        threads,        ///< +WTn, Work_Threads=n
+        initial_frame,  ///< +KFIn, Initial_Frame=n
+        final_frame,    ///< +KFFn, Final_Frame=n
+        frame_step,     ///< +STPn, Frame_Step=n
+        subset_start,   ///< +SFn, Subset_Start_Frame=n, or a share below 1
+        subset_end,     ///< +EFn, Subset_End_Frame=n, or a share below 1
+        cyclic,         ///< +KC, -KC, Cyclic_Animation=bool; as antialias
         other
     };
     Kind kind = Kind::other;
@@ -44,6 +52,9 @@ std::vector<std::string> split_words(std::string_view text);
 
 /// Reads one word that split_words() made.
 PovrayWord read_word(std::string_view word);
+
+/// Whether a value means yes to POV-Ray.
+bool is_on(std::string_view value);
 
 /// An argument of the shell as POV-Ray must get it: file names with blanks, which it would split,
 /// are quoted, if a file of that name exists.

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::string_view file_mark = "POV-Ray Render State File", message_mark = "POVRAYMS";
 constexpr std::size_t file_head = 512, message_head = 20;
-constexpr std::int32_t largest_block = 64;  // pixels a side
+constexpr std::int32_t largest_block = 64;    // pixels a side
 constexpr std::size_t floats_per_colour = 5;  // red, green, blue, filter, transmit
 
 [[noreturn]] void fail(const char* what) {

@@ -10,9 +10,9 @@
 #include <chrono>
 #include <thread>
 
+#include "adapter/file_descriptor.h"
 #include "adapter/povray_options.h"
 #include "adapter/stock_povray.h"
-#include "adapter/tracer_process.h"
 #include "core/error.h"
 
 namespace povpreview {
@@ -110,14 +110,16 @@ StockMosaic run_stock_mosaic(const std::vector<std::string>& povray_words, const
         fs::remove(state, gone);
     };
     remove_files();
-    std::vector<std::string> arguments = read_povray_options(povray_words).stock_arguments(picture);
+    std::vector<std::string> arguments =
+        read_povray_options(povray_words).stock_arguments({.output = picture});
     for (const char* word : {"+SP32", "+EP1"}) arguments.emplace_back(word);
 
     StockMosaic run;
     Watch watch(state, Clock::now());
     try {
-        run.complete = render_by_stock_povray(arguments, folder / "stock-mosaic.log",
-                                              [&] { return stop(watch.since_parse()); });
+        run.complete = render_by_stock_povray(arguments, folder / "stock-mosaic.log", [&] {
+                           return stop(watch.since_parse());
+                       }).has_value();
     } catch (...) {
         remove_files();
         throw;

@@ -12,24 +12,26 @@
 #include <vector>
 
 #include "adapter/file_descriptor.h"
+#include "adapter/message_tail.h"
 #include "adapter/sandbox.h"
 
 namespace povpreview {
+
+class FileWatch;
 
 /// What a tracer is told by its environment, and what it may touch.
 struct TracerSetting {
     bool geometry = false;                ///< the scene's polygons are wanted
     std::filesystem::path finish_folder;  ///< where POV-Ray's image is to be made; empty: none
     std::optional<SandboxRules> sandbox;  ///< else it may do what we may
+    FileWatch* watch = nullptr;           ///< is told what files it opens, or nobody
 };
 
 /// A tracer running as a child, with one end of a private stream socket to it.
 ///
 /// The child gets POVPREVIEW_WIRE=<fd> in its environment, POVPREVIEW_GEOMETRY=1 and
-/// POVPREVIEW_FINISH=<folder> where they are wanted, no other open descriptor, no input, no output
-/// but a pipe for its messages, a process group of its own (so that Ctrl-C reaches it only
-/// through us), and the order to die with the thread that started it (Linux ties that to the
-/// thread, not the process: start it on one that lives as long as the tracer is to live).
+/// POVPREVIEW_FINISH=<folder> where they are wanted, no output but a pipe for its messages, and
+/// what start_child() gives every child.
 class TracerProcess {
    public:
     /// Starts `program`, looked up in PATH if it has no slash. Throws Error if that fails.
@@ -69,12 +71,11 @@ class TracerProcess {
 
    private:
     bool reaped(std::chrono::milliseconds patience);
-    void drain_messages();
 
     pid_t pid_ = -1;
-    FileDescriptor socket_, messages_;
-    std::string words_;  ///< the last bytes of its standard error
-    std::string end_;    ///< how it ended; empty while it lives
+    FileDescriptor socket_;
+    MessageTail messages_;
+    std::string end_;  ///< how it ended; empty while it lives
     int exit_status_ = -1;
 };
 

@@ -36,7 +36,8 @@ Ours enumerator(Wires value, Wires last, const char* what) {
 
 /// Entries of a list in a scene; entries can share their content, so the size of the frame alone
 /// does not bound what they unpack to.
-constexpr std::size_t max_lights = std::size_t{1} << 17, max_kinds = 4096, max_files = 65536, max_name = 256;
+constexpr std::size_t max_lights = std::size_t{1} << 17, max_kinds = 4096, max_files = 65536,
+                      max_name = 256;
 
 template <class List>
 void check_list(const List* list, std::size_t limit, const char* what) {

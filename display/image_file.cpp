@@ -24,6 +24,11 @@ void write_image(const Image& linear, const std::filesystem::path& path, FileFor
     write_file(path, image_library().encoded_image(linear, format, path));
 }
 
+AnnotatedImage annotated_image(std::span<const unsigned char> file, const ImageNotes& notes,
+                               const std::filesystem::path& path) {
+    return image_library().annotated_image(file, notes, path);
+}
+
 std::vector<unsigned char> encoded_image(const Image& linear, FileFormat format) {
     return image_library().encoded_image(linear, format, "an image in memory");
 }

@@ -2,6 +2,9 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "display/image.h"
@@ -31,6 +34,20 @@ inline void write_image(const Image& linear, const std::filesystem::path& path) 
 
 /// The bytes of the file that write_image() writes.
 std::vector<unsigned char> encoded_image(const Image& linear, FileFormat format);
+
+/// Texts by their names. PNG files carry them as text chunks, EXR files as attributes.
+using ImageNotes = std::vector<std::pair<std::string, std::string>>;
+
+/// An image file in memory.
+struct AnnotatedImage {
+    std::vector<unsigned char> bytes;
+    std::size_t not_finite = 0;  ///< pixels with a channel that is infinite or not a number
+};
+/// The same PNG or EXR file, every value as it was, with these texts in place of its own, but for
+/// "Software", which is put behind what the file named as its maker. The same input gives the same
+/// bytes. Throws Error(Exit::usage), naming `path`, if it is no such file.
+AnnotatedImage annotated_image(std::span<const unsigned char> file, const ImageNotes& notes,
+                               const std::filesystem::path& path);
 
 /// Reads an image as it stands in the file, without decoding: the channels of a PNG come as
 /// encoded values in [0, 1]. Grey becomes equal channels; alpha is left out.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,8 @@ struct ImageLibrary {
                                                 const std::filesystem::path&);
     Image (*read_image)(const std::filesystem::path&);
     Image (*caption_strip)(const std::string&, int width);
+    AnnotatedImage (*annotated_image)(std::span<const unsigned char>, const ImageNotes&,
+                                      const std::filesystem::path&);
 };
 
 /// Loads it on the first call; from any thread. Throws Error(Exit::usage) if it cannot be loaded.

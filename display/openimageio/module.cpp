@@ -7,6 +7,6 @@
 extern "C" const povpreview::ImageLibrary* povpreview_image_library() {
     using namespace povpreview;
     static constexpr ImageLibrary library{openimageio::encoded_image, openimageio::read_image,
-                                          openimageio::caption_strip};
+                                          openimageio::caption_strip, openimageio::annotated_image};
     return &library;
 }

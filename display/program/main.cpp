@@ -10,6 +10,7 @@
 #include "display/program/options.h"
 #include "display/program/plan.h"
 #include "display/program/preview.h"
+#include "display/program/reference_batch.h"
 
 int main(int argc, char** argv) {
     using namespace povpreview;
@@ -20,10 +21,11 @@ int main(int argc, char** argv) {
             return 0;
         }
         catch_interrupts();
-        return static_cast<int>(command.compare   ? compare(*command.compare)
-                                : command.figures ? figures(*command.figures)
-                                : command.plan    ? plan(*command.plan)
-                                                  : preview(*command.preview));
+        return static_cast<int>(command.compare     ? compare(*command.compare)
+                                : command.figures   ? figures(*command.figures)
+                                : command.plan      ? plan(*command.plan)
+                                : command.reference ? reference(*command.reference)
+                                                    : preview(*command.preview));
     } catch (const Error& error) {
         fmt::print(stderr, "povpreview: {}\n", error.what());
         return static_cast<int>(error.exit());

@@ -49,6 +49,21 @@ const std::map<std::string, Overlay> overlays{{"none", Overlay::none},
 const std::map<std::string, Backend> backends{
     {"auto", Backend::automatic}, {"egl", Backend::egl}, {"osmesa", Backend::osmesa}};
 
+const std::map<std::string, Engine> engines{{"stock", Engine::stock}, {"tracer", Engine::tracer}};
+const std::map<std::string, FileFormat> formats{
+    {"png", FileFormat::png16}, {"png8", FileFormat::png8}, {"exr", FileFormat::exr_half}};
+
+/// I/N: the I-th of N shares, counted from 0.
+Share read_share(const std::string& text) {
+    long long index = 0, count = 0;
+    int used = 0;
+    if (std::sscanf(text.c_str(), "%lld/%lld%n", &index, &count, &used) != 2 ||
+        used != static_cast<int>(text.size()) || index < 0 || index >= count)
+        throw Error(Exit::usage, "'" + text + "' is no share", "--share",
+                    "give INDEX/COUNT, for instance --share 0/8 for the first of eight");
+    return {static_cast<std::size_t>(index), static_cast<std::size_t>(count)};
+}
+
 /// Options that all commands have.
 template <class Options>
 void add_common(CLI::App& app, Options& options) {
@@ -132,7 +147,8 @@ void read_preview(const std::vector<std::string>& words, CommandLine& result) {
         "  povpreview [POV-Ray options] SCENE.pov [options]\n"
         "  povpreview compare [POV-Ray options] SCENE.pov --out DIR [options]\n"
         "  povpreview figures [POV-Ray options] SCENE.pov --out DIR [options]\n"
-        "  povpreview plan [POV-Ray options] SCENE.pov [--run]\n\n"
+        "  povpreview plan [POV-Ray options] SCENE.pov [--run]\n"
+        "  povpreview reference [POV-Ray options] SCENE.pov... --out DIR [options]\n\n"
         "POV-Ray's own options (+W640 +H480 +Lpath Declare=x=1 file.ini ...) mean what they "
         "mean to povray.",
         "povpreview");
@@ -275,6 +291,46 @@ void read_plan(const std::vector<std::string>& words, CommandLine& result) {
     if (result.text.empty()) result.plan = std::move(options);
 }
 
+void read_reference(const std::vector<std::string>& words, CommandLine& result) {
+    ReferenceOptions options;
+    CLI::App app(
+        "Renders scenes completely, several side by side. What was made from the same scene, "
+        "includes, images, options and program already is kept; what fails is told in the end. "
+        "Interrupted, it goes on where it was.\n\n"
+        "  povpreview reference [POV-Ray options] SCENE.pov... --out DIR [options]\n\n"
+        "POV-Ray's own options hold for all scenes, also those of an animation (+KFI1 +KFF20). "
+        "Each picture is rendered on one thread, or as many as +WT says.",
+        "povpreview reference");
+    app.set_help_flag("--help", "Show this text");
+    std::string share;
+    add_out(app, options);
+    app.add_option("--engine", options.engine,
+                   "stock: the povray of this machine (default); tracer: ours, run to the end")
+        ->transform(CLI::CheckedTransformer(engines))
+        ->option_text("NAME");
+    app.add_option("--format", options.format,
+                   "png: 16 bit (default), png8: 8 bit, exr: linear light, 16-bit float")
+        ->transform(CLI::CheckedTransformer(formats))
+        ->option_text("NAME");
+    app.add_option("--sections", options.sections,
+                   "Render for every [section] of this INI file, such as one of sizes")
+        ->option_text("FILE");
+    app.add_option("--jobs", options.jobs, "Renders at a time (default: as many as the cores hold)")
+        ->check(CLI::Range(1, 4096))
+        ->option_text("N");
+    app.add_option("--timeout", options.timeout, "Give a picture up after so many seconds")
+        ->check(CLI::PositiveNumber)
+        ->option_text("SECONDS");
+    app.add_flag("--slurm", options.slurm, "Submit the pictures as a job array to Slurm");
+    app.add_option("--share", share, "Only every N-th picture, beginning with number I from 0")
+        ->option_text("I/N");
+    parse(app, words, options.povray, result);
+    if (!result.text.empty()) return;
+    check_out(options, "reference");
+    if (!share.empty()) options.share = read_share(share);
+    result.reference = std::move(options);
+}
+
 }  // namespace
 
 CommandLine read_command_line(int argc, const char* const* argv) {
@@ -289,6 +345,9 @@ CommandLine read_command_line(int argc, const char* const* argv) {
     } else if (!words.empty() && words.front() == "plan") {
         words.erase(words.begin());
         read_plan(words, result);
+    } else if (!words.empty() && words.front() == "reference") {
+        words.erase(words.begin());
+        read_reference(words, result);
     } else {
         read_preview(words, result);
     }

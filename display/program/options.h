@@ -9,8 +9,15 @@
 
 #include "core/previewer.h"
 #include "display/gl_context.h"
+#include "display/image_file.h"
 
 namespace povpreview {
+
+/// What renders a reference.
+enum class Engine {
+    stock,  ///< the stock `povray`: independent of all that is ours
+    tracer  ///< the patched one, a sample at every pixel's centre
+};
 
 /// What `povpreview SCENE.pov` was asked to do. Times are seconds since the end of the parse.
 struct PreviewOptions {
@@ -66,12 +73,31 @@ struct PlanOptions {
     double stall_timeout = 60;
 };
 
+/// Every `count`-th item of a list, beginning with item `index`.
+struct Share {
+    std::size_t index = 0, count = 1;
+};
+
+/// What `povpreview reference SCENE...` was asked to do.
+struct ReferenceOptions {
+    std::vector<std::string> povray;  ///< with all scenes
+    std::filesystem::path out;
+    std::filesystem::path sections;  ///< an INI file, each section of which is rendered, or empty
+    Engine engine = Engine::stock;
+    FileFormat format = FileFormat::png16;
+    std::optional<int> jobs;        ///< renders at a time
+    std::optional<double> timeout;  ///< seconds for each
+    bool slurm = false;
+    Share share;
+};
+
 /// What the command line says: one of these, or a text to print (help, version) and no more.
 struct CommandLine {
     std::optional<PreviewOptions> preview;
     std::optional<CompareOptions> compare;
     std::optional<FiguresOptions> figures;
     std::optional<PlanOptions> plan;
+    std::optional<ReferenceOptions> reference;
     std::string text;
 };
 

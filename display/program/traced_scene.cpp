@@ -4,27 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdlib>
-#include <filesystem>
 
 #include "adapter/straight_camera.h"
+#include "display/program/tracer_program.h"
 
 namespace povpreview {
-namespace {
-
-/// The patched POV-Ray: the environment variable POVPREVIEW_TRACER, or the set-up's link beside
-/// this program.
-std::string tracer_program() {
-    namespace fs = std::filesystem;
-    if (const char* named = std::getenv("POVPREVIEW_TRACER")) return named;
-    const fs::path beside = fs::read_symlink("/proc/self/exe").parent_path() / "povpreview-tracer";
-    if (!fs::exists(beside))
-        throw Error(Exit::usage, "the tracer is not there", beside.string(),
-                    "build it by ./run, or name it by the environment variable POVPREVIEW_TRACER");
-    return beside.string();
-}
-
-}  // namespace
 
 std::string sentence(const report::Progress& progress) {
     const char* stage = "";
@@ -59,7 +43,7 @@ PovrayOracle::Settings settings(const PovrayOptions& povray, const TracerWishes&
                                 bool geometry) {
     PovrayOracle::Settings result;
     result.program = tracer_program();
-    result.arguments = povray.tracer_arguments(!wishes.finish_folder.empty());
+    result.arguments = povray.tracer_arguments({.finish = !wishes.finish_folder.empty()});
     result.geometry = geometry;
     result.finish_folder = wishes.finish_folder;
     result.sandbox = SandboxRules{povray.readable, wishes.finish_folder, wishes.memory};

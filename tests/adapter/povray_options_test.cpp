@@ -151,12 +151,12 @@ TEST_F(PovrayOptionsTest, SizesThatCannotBeAreRefusedInOneLine) {
 TEST_F(PovrayOptionsTest, WhatIsForcedComesLast) {
     const PovrayOptions options = read_povray_options({"a.pov", "+A0.1", "+D", "+Ofoo.png"});
     for (const auto& arguments :
-         {options.tracer_arguments(), options.stock_arguments("out dir/x.png")}) {
+         {options.tracer_arguments(), options.stock_arguments({.output = "out dir/x.png"})}) {
         ASSERT_GT(arguments.size(), 4U);
         EXPECT_TRUE(std::equal(options.words.begin(), options.words.end(), arguments.begin()));
         EXPECT_NE(std::find(arguments.begin(), arguments.end(), "-D"), arguments.end());
     }
-    EXPECT_EQ(options.stock_arguments("out dir/x.png").back(), "+O\"out dir/x.png\"");
+    EXPECT_EQ(options.stock_arguments({.output = "out dir/x.png"}).back(), "+O\"out dir/x.png\"");
 }
 
 TEST_F(PovrayOptionsTest, StockPovrayMakesOneWholePictureOfTheSizeAsked) {
@@ -168,7 +168,8 @@ TEST_F(PovrayOptionsTest, StockPovrayMakesOneWholePictureOfTheSizeAsked) {
     const PovrayOptions options =
         read_povray_options({"two words.pov", "+H20", "+FT", "+SR0.5", "+KFI2", "-GF"});
     std::string command = "timeout 60 povray";
-    for (const std::string& a : options.stock_arguments("out dir/x.png")) command += " '" + a + "'";
+    for (const std::string& a : options.stock_arguments({.output = "out dir/x.png"}))
+        command += " '" + a + "'";
     ASSERT_EQ(std::system((command + " > messages 2>&1").c_str()), 0) << command;
     std::ifstream image("out dir/x.png", std::ios::binary);
     unsigned char head[26] = {};

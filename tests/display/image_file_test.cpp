@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <csignal>
@@ -240,6 +241,53 @@ TEST_F(AtomicFile, AFailureInTheMiddleLeavesTheOldFileAndNothingElse) {
         EXPECT_TRUE(content(folder / name) == "old") << name;
     }
     EXPECT_EQ(folder.entries(), 2u) << "only the two old files";
+}
+
+/// An image with every kind of value, written and annotated.
+AnnotatedImage annotated(FileFormat format, const std::string& name) {
+    Image image(3, 2, glm::vec3(.25f, .5f, .125f));
+    image.at(1, 0) = {infinity, 0, 1};
+    image.at(2, 1) = {0, not_a_number, 1};
+    return annotated_image(encoded_image(image, format),
+                           {{"Software", "ours 1"}, {"Command", "do \"this\""}}, name);
+}
+
+TEST(ImageFile, NotesChangeNoValue) {
+    const TemporaryFolder folder;
+    for (const auto& [format, name] : {std::pair{FileFormat::png8, "a.png"},
+                                       {FileFormat::png16, "a.png"},
+                                       {FileFormat::exr_half, "a.exr"},
+                                       {FileFormat::exr_float, "a.exr"}}) {
+        Image image(3, 2, glm::vec3(.25f, .5f, .125f));
+        write_image(image, folder / name, format);
+        const Image plain = read_image(folder / name);
+        write_file(folder / name,
+                   annotated_image(encoded_image(image, format), {{"Title", "t"}}, name).bytes);
+        const Image noted = read_image(folder / name);
+        EXPECT_EQ(noted.width, 3);
+        EXPECT_EQ(noted.height, 2);
+        EXPECT_EQ(noted.pixels, plain.pixels) << name;
+    }
+}
+
+TEST(ImageFile, NotesStandInTheFileAndMakeNoDifferenceOfTheirOwn) {
+    for (const auto& [format, name] :
+         {std::pair{FileFormat::png16, "a.png"}, {FileFormat::exr_half, "a.exr"}}) {
+        const AnnotatedImage one = annotated(format, name);
+        const std::string bytes(one.bytes.begin(), one.bytes.end());
+        EXPECT_NE(bytes.find("ours 1"), std::string::npos) << name;
+        EXPECT_NE(bytes.find("do \"this\""), std::string::npos) << name;
+        sleep(1);  // a time of day in the file would differ
+        EXPECT_EQ(annotated(format, name).bytes, one.bytes) << name;
+    }
+}
+
+TEST(ImageFile, WhatIsNotFiniteIsCountedInPixels) {
+    EXPECT_EQ(annotated(FileFormat::exr_half, "a.exr").not_finite, 2U);
+    EXPECT_EQ(annotated(FileFormat::exr_float, "a.exr").not_finite, 2U);
+    EXPECT_EQ(annotated(FileFormat::png16, "a.png").not_finite, 0U);
+    const unsigned char garbage[] = {1, 2, 3};
+    EXPECT_THROW(annotated_image(garbage, {}, "a.png"), Error);
 }
 
 }  // namespace

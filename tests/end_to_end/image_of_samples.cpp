@@ -28,7 +28,7 @@ int encode16(float linear) {
 Difference compare_with_stock(const TracedImage& image, const std::vector<std::string>& words,
                               const WorkFolder& folder) {
     const std::string output = folder.path() / "stock.png";
-    render_by_stock_povray(read_povray_options(words).stock_arguments(output),
+    render_by_stock_povray(read_povray_options(words).stock_arguments({.output = output}),
                            folder.path() / "stock.log", [] { return false; });
     const auto input = OIIO::ImageInput::open(output);
     if (!input) throw Error(Exit::usage, "cannot read stock POV-Ray's image", output, "");

@@ -52,6 +52,19 @@ TEST(CommandLine, FiguresTakeTheirOwnOptions) {
     EXPECT_FALSE(read({"figures", "s.pov", "--out", "d"}).figures->samples);
 }
 
+TEST(CommandLine, ReferenceTakesManyScenes) {
+    const auto line = read({"reference", "+W320", "a.pov", "b.pov", "--out", "d", "--engine",
+                            "tracer", "--format", "exr", "--jobs", "3", "--share", "2/5"});
+    ASSERT_TRUE(line.reference);
+    EXPECT_EQ(line.reference->povray, (std::vector<std::string>{"+W320", "a.pov", "b.pov"}));
+    EXPECT_EQ(line.reference->engine, Engine::tracer);
+    EXPECT_EQ(line.reference->format, FileFormat::exr_half);
+    EXPECT_EQ(line.reference->jobs, 3);
+    EXPECT_EQ(line.reference->share.index, 2U);
+    EXPECT_EQ(line.reference->share.count, 5U);
+    EXPECT_FALSE(line.reference->slurm);
+}
+
 class BadCommandLine : public ::testing::TestWithParam<std::vector<const char*>> {};
 
 TEST_P(BadCommandLine, IsOneLineAndExitCodeTwo) {
@@ -67,6 +80,14 @@ TEST_P(BadCommandLine, IsOneLineAndExitCodeTwo) {
 INSTANTIATE_TEST_SUITE_P(
     All, BadCommandLine,
     ::testing::Values(
+        std::vector<const char*>{"reference", "s.pov"},
+        std::vector<const char*>{"reference", "s.pov", "--out", "d", "--engine", "magic"},
+        std::vector<const char*>{"reference", "s.pov", "--out", "d", "--format", "gif"},
+        std::vector<const char*>{"reference", "s.pov", "--out", "d", "--jobs", "0"},
+        std::vector<const char*>{"reference", "s.pov", "--out", "d", "--timeout", "0"},
+        std::vector<const char*>{"reference", "s.pov", "--out", "d", "--share", "2/2"},
+        std::vector<const char*>{"reference", "s.pov", "--out", "d", "--share", "0/-1"},
+        std::vector<const char*>{"reference", "s.pov", "--out", "d", "--share", "1"},
         std::vector<const char*>{"s.pov", "--nonsense"},
         std::vector<const char*>{"s.pov", "--time"},
         std::vector<const char*>{"s.pov", "--time", "-1"},
