@@ -2,6 +2,7 @@
 #include "adapter/povray_words.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <filesystem>
 #include <utility>

@@ -28,8 +28,8 @@ class Oracle {
     /// Called when samples can be answered, and when no more are.
     void serve(bool serving = true) { serving_ = serving; }
     bool serving() const { return serving_; }
-    /// The folder into which the previewer wants POV-Ray's image in the end (POVPREVIEW_FINISH in the
-    /// environment); empty where it wants none.
+    /// The folder into which the previewer wants POV-Ray's image in the end (POVPREVIEW_FINISH in
+    /// the environment); empty where it wants none.
     const std::string& finish_folder() const { return finish_folder_; }
     WorkQueue& queue() { return queue_; }
     KnownPixels& known() { return known_; }

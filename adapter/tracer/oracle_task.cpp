@@ -12,8 +12,8 @@
 #include "base/povmsgid.h"
 // clang-format on
 
-#include "backend/oracle/geometry_task.h"
 #include "backend/oracle/finishing_pixel.h"
+#include "backend/oracle/geometry_task.h"
 #include "backend/oracle/scene_description.h"
 #include "backend/oracle/seed.h"
 #include "base/povdebug.h"
@@ -206,7 +206,8 @@ std::vector<pov::ViewThreadData*> append_oracle_tasks(pov::TaskQueue& tasks, pov
     const bool antialias = options.TryGetBool(kPOVAttrib_Antialias, false);
     const bool to_file = options.TryGetBool(kPOVAttrib_OutputToFile, true);
     const std::string output =
-        to_file ? pov_base::UCS2toASCIIString(options.TryGetUCS2String(kPOVAttrib_OutputFile, "")) : "";
+        to_file ? pov_base::UCS2toASCIIString(options.TryGetUCS2String(kPOVAttrib_OutputFile, ""))
+                : "";
     tasks.AppendFunction([&view, antialias, output, shared](pov::TaskQueue&) {
         announce(&view, antialias, output, shared);
     });

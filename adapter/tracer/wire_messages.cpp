@@ -175,8 +175,7 @@ Order read_order(const Frame& content, std::size_t max_positions, std::string& f
     const auto* order = flatbuffers::GetRoot<wire::ToTracer>(content.data());
     if (const wire::Trace* trace = order->order_as_Trace())
         return {read_trace(*trace, max_positions, fault), nullptr};
-    if (const wire::Image* finish = order->order_as_Image())
-        return {nullptr, read_finish(*finish)};
+    if (const wire::Image* finish = order->order_as_Image()) return {nullptr, read_finish(*finish)};
     fault = "an order of unknown kind";
     return {};
 }

@@ -8,6 +8,7 @@
 #include <future>
 #include <glm/common.hpp>
 
+#include "adapter/povray_options.h"
 #include "core/colour.h"
 #include "core/error.h"
 #include "core/error_measures.h"
@@ -49,7 +50,7 @@ class Check {
    private:
     void preview() {
         TracedScene scene(
-            words_, 60, [](const std::string&) {}, never,
+            read_povray_options(words_), TracerWishes{}, [](const std::string&) {}, never,
             foreknowledge_for(method_needs("mesh"), 1));
         StrategyRun run("mesh", scene, scene.oracle(), false);
         scene.wait_for_foreknowledge(never);
