@@ -195,14 +195,28 @@ void Reader::check_size() const {
                     fmt::format("choose +W and +H for at most {} pixels", max_image_pixels));
 }
 
+/// Projects keep what their scenes share in the folder above ("../colours.inc"). Not so the folders
+/// that hold everything of somebody, and those above them.
+bool is_shared(const fs::path& folder) {
+    const char* home = std::getenv("HOME");
+    const auto holds = [&](const fs::path& what) {
+        const fs::path way = what.lexically_relative(folder);
+        return !way.empty() && *way.begin() != "..";
+    };
+    return !holds("/tmp") && !(home && holds(home));
+}
+
 std::vector<fs::path> Reader::readable() const {
     std::vector<fs::path> result = libraries_;
     result.insert(result.end(), inis_.begin(), inis_.end());
-    result.push_back(fs::absolute(scene()).parent_path());
-    result.emplace_back(".");
+    for (const fs::path& folder : {fs::absolute(scene()).parent_path(), fs::current_path()}) {
+        result.push_back(folder);
+        if (is_shared(folder.parent_path())) result.push_back(folder.parent_path());
+    }
     // POV-Ray's own settings.
     result.emplace_back("/etc/povray");
     result.emplace_back("/usr/share/povray-3.7");
+    result.emplace_back("/usr/share/fonts");  // Debian's POV-Ray has links to them
     if (const char* home = std::getenv("HOME")) result.push_back(fs::path(home) / ".povray");
     return result;
 }

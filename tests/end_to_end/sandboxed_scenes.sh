@@ -7,8 +7,8 @@ set -u
 povpreview=$1
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-mkdir "$work/here" "$work/elsewhere" "$work/library"
-cd "$work/here" || exit 1
+mkdir -p "$work/project/here" "$work/elsewhere" "$work/library"
+cd "$work/project/here" || exit 1
 failures=0
 
 report() {
@@ -36,10 +36,10 @@ report $? "#fopen append is refused"
 
 cat >commands.ini <<INI
 Input_File_Name=good.pov
-Pre_Scene_Command=touch $work/here/ran-before
-Pre_Frame_Command=touch $work/here/ran-before
-Post_Frame_Command=touch $work/here/ran-after
-Post_Scene_Command=touch $work/here/ran-after
+Pre_Scene_Command=touch $work/project/here/ran-before
+Pre_Frame_Command=touch $work/project/here/ran-before
+Post_Frame_Command=touch $work/project/here/ran-after
+Post_Scene_Command=touch $work/project/here/ran-after
 INI
 preview commands.ini
 [ $? -eq 0 ] && [ -s x.png ] && ! ls ran-* >/dev/null 2>&1 && grep -q 'commands.*not run' err
@@ -90,6 +90,11 @@ echo "$head #include \"a.inc\" text { ttf \"crystal.ttf\" \"A\" 1, 0 } $body" >n
 preview near.pov "+L$work/library"
 [ $? -eq 0 ]
 report $? "libraries and fonts are found"
+echo '#declare Shared = 1;' >../shared.inc
+echo "$head #include \"../shared.inc\" $body" >beside.pov
+preview beside.pov
+[ $? -eq 0 ]
+report $? "what a project's scenes share in the folder above is read"
 timeout 120 "$povpreview" +W32 +H24 --headless --log log --output x.png far.pov >out 2>err </dev/null
 if grep -q 'no Landlock' log; then echo "skipped: this kernel has no Landlock"; else
     # Its log may not even have begun: the scene is refused.
