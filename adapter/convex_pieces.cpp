@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "adapter/convex_pieces.h"
 
+// Rings that cross are rare, and then few: the advice to keep track of crossings is for others.
+#define CGAL_NO_CDT_2_WARNING
 #include <CGAL/Constrained_triangulation_2.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Triangulation_face_base_with_info_2.h>
