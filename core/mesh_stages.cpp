@@ -46,10 +46,12 @@ double MeshPreviewer::vertex_share() const {
 }
 
 Stage MeshPreviewer::triangulation_stage() const {
-    Stage result = stage(refinement_stage_name, true,
-                         text("up to %.0f vertices, as samples of %.3g us deserve",
-                              vertex_share() * double(squares_.pixels()), plan_.sample_ns * 1e-3),
-                         {Pending::Use::vertex, Pending::Use::side});
+    Stage result =
+        stage(refinement_stage_name, true,
+              text(options_.by_cost ? "up to %.0f vertices, as samples of %.3g us deserve"
+                                    : "up to %.0f vertices, whatever samples cost",
+                   vertex_share() * double(squares_.pixels()), plan_.sample_ns * 1e-3),
+              {Pending::Use::vertex, Pending::Use::side});
     result.expected = vertex_share();
     return result;
 }
