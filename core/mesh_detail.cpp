@@ -86,10 +86,14 @@ std::uint32_t MeshPreviewer::item_seen(const Sample& sample) {
     return item;
 }
 
-/// Whether a sample's shading was asked for and is sound.
+/// Whether a sample's shading came, and is sound. It may not have been wanted yet when the sample
+/// was asked for; then all of it is zero, and taken for light it would be darkness.
 bool MeshPreviewer::shaded(const Sample& sample) const {
-    return contains(parts(), Parts::shading) && sample.surface != 0 && finite(sample.albedo) &&
-           finite(sample.illumination) && finite(sample.remainder);
+    const glm::vec3 none(0);
+    const bool came = sample.albedo != none || sample.illumination != none ||
+                      sample.remainder != none || sample.colour == none;
+    return contains(parts(), Parts::shading) && came && sample.surface != 0 &&
+           finite(sample.albedo) && finite(sample.illumination) && finite(sample.remainder);
 }
 
 /// Among the first samples every some albedo rays, so that their cost is known as well.

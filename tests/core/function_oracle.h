@@ -51,15 +51,15 @@ class FunctionOracle : public SampleOracle {
     explicit FunctionOracle(FunctionImage image, std::uint32_t grouping_seed = 0)
         : image_(std::move(image)), random_(grouping_seed), grouped_(grouping_seed != 0) {}
 
-    void submit(std::span<const Request> requests, Parts) override {
-        queue_.insert(queue_.end(), requests.begin(), requests.end());
+    void submit(std::span<const Request> requests, Parts parts) override {
+        for (const Request& request : requests) queue_.push_back({request, parts});
         asked.insert(asked.end(), requests.begin(), requests.end());
     }
     void collect(std::vector<Sample>& samples, std::chrono::nanoseconds) override {
         std::size_t count = queue_.size();
         if (grouped_) count = std::min<std::size_t>(count, random_() % (1u << random_() % 10));
         for (; count > 0; --count) {
-            samples.push_back(image_.sample(queue_.front()));
+            samples.push_back(answer(queue_.front()));
             queue_.pop_front();
         }
     }
@@ -67,8 +67,20 @@ class FunctionOracle : public SampleOracle {
     std::vector<Request> asked;  ///< every request, in order
 
    private:
+    struct Order {
+        Request request;
+        Parts parts;
+    };
+    /// Only with the parts that were asked for, as a tracer answers.
+    Sample answer(const Order& order) const {
+        Sample sample = image_.sample(order.request);
+        if (order.request.kind == RayKind::full && !contains(order.parts, Parts::shading))
+            sample.albedo = sample.illumination = sample.remainder = glm::vec3(0);
+        return sample;
+    }
+
     FunctionImage image_;
-    std::deque<Request> queue_;
+    std::deque<Order> queue_;
     std::mt19937 random_;
     bool grouped_;
 };

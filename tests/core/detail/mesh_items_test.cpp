@@ -179,7 +179,8 @@ TEST(MeshWithItems, LateItemsCatchUp) {
     late.to(3000, &items, 1500);
     without.to(3000);
     EXPECT_LT(late.error(), .2 * without.error());
-    EXPECT_LT(late.error(), 8 * early.error());
+    // 20 times where samples that were asked for without shading are taken for dark ones.
+    EXPECT_LT(late.error(), 12 * early.error());
 }
 
 TEST(MeshWithItems, WrongPixelsHereAndThereCostLittle) {
