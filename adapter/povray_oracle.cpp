@@ -66,8 +66,8 @@ void PovrayOracle::start() {
     try {
         process_ = std::make_unique<TracerProcess>(
             settings_.program, settings_.arguments,
-            TracerSetting{settings_.geometry, settings_.finish_folder, settings_.sandbox,
-                          settings_.watch});
+            TracerSetting{settings_.geometry, settings_.writes, settings_.finish_folder,
+                          settings_.sandbox, settings_.watch});
     } catch (const Error& error) {
         broken_ = error;
         throw;
@@ -247,9 +247,11 @@ void PovrayOracle::handle_failure(const report::Failure& failure) {
         fail(Exit::usage, fmt::format("{} in: {}", text, fmt::join(settings_.arguments, " ")),
              "check the options meant for POV-Ray");
     const bool confined = settings_.sandbox && names_missing_file(text);
+    const bool wrote = text.find("prohibit write access") != std::string::npos;
     fail(state_ >= State::serving ? Exit::tracer : Exit::scene,
          text.empty() ? "POV-Ray failed without a message" : text,
-         confined
+         wrote ? "give --allow-writing if you trust the scene"
+         : confined
              ? "files are looked for, and may be read, in the folder of the scene, the working "
                "folder and the libraries: add a folder by +L"
              : "");

@@ -49,6 +49,7 @@ class PovrayOracle : public SampleOracle {
         std::string program;                       ///< the patched POV-Ray
         std::vector<std::string> arguments;        ///< POV-Ray's options, see povray_options.h
         bool geometry = true;                      ///< ask for the scene's polygons
+        bool writes = false;                       ///< the scene may write files
         std::filesystem::path finish_folder = {};  ///< for finish(): a folder of its own
         std::optional<SandboxRules> sandbox = {};  ///< else it may do what we may
         FileWatch* watch = nullptr;                ///< is told what files it opens, or nobody

@@ -182,7 +182,7 @@ Sandbox::Sandbox(const SandboxRules& rules, const std::string& program) : memory
         allow(loader, run_rights);
     for (const char* path : system_paths) allow(path, read_rights);
     for (const fs::path& path : rules.readable) allow(path, read_rights);
-    if (!rules.writable.empty()) allow(rules.writable, write_rights);
+    for (const fs::path& path : rules.writable) allow(path, write_rights);
 }
 
 void Sandbox::allow(const fs::path& path, std::uint64_t access) const {

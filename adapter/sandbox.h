@@ -13,7 +13,7 @@ namespace povpreview {
 /// What a tracer may touch of the machine: a scene is a program from a stranger.
 struct SandboxRules {
     std::vector<std::filesystem::path> readable;  ///< files, and folders with all that is in them
-    std::filesystem::path writable;               ///< a folder; empty: none
+    std::vector<std::filesystem::path> writable;  ///< folders
     std::uint64_t memory = 0;                     ///< bytes of address space; 0: no limit
 };
 

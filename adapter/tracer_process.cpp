@@ -40,10 +40,12 @@ Ends socket_pair(const std::string& program) {
 
 /// Ours, but for what tells the tracer how to be one.
 std::vector<std::string> environment(int wire, const TracerSetting& setting) {
-    std::vector<std::string> result = environment_without(
-        {"POVPREVIEW_WIRE", "POVPREVIEW_GEOMETRY", "POVPREVIEW_FINISH", "POV_TEMP_DIR"});
+    std::vector<std::string> result =
+        environment_without({"POVPREVIEW_WIRE", "POVPREVIEW_GEOMETRY", "POVPREVIEW_WRITE",
+                             "POVPREVIEW_FINISH", "POV_TEMP_DIR"});
     result.push_back(fmt::format("POVPREVIEW_WIRE={}", wire));
     if (setting.geometry) result.emplace_back("POVPREVIEW_GEOMETRY=1");
+    if (setting.writes) result.emplace_back("POVPREVIEW_WRITE=1");
     if (!setting.finish_folder.empty()) {
         result.push_back("POVPREVIEW_FINISH=" + setting.finish_folder.string());
         // Images too large for its memory POV-Ray keeps in a file of this folder.

@@ -22,6 +22,7 @@ class FileWatch;
 /// What a tracer is told by its environment, and what it may touch.
 struct TracerSetting {
     bool geometry = false;                ///< the scene's polygons are wanted
+    bool writes = false;                  ///< the scene may write files
     std::filesystem::path finish_folder;  ///< where POV-Ray's image is to be made; empty: none
     std::optional<SandboxRules> sandbox;  ///< else it may do what we may
     FileWatch* watch = nullptr;           ///< is told what files it opens, or nobody

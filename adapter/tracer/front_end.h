@@ -9,6 +9,9 @@ namespace povpreview::tracer {
 /// As enabled().
 bool serves_previewer();
 
+/// Whether the scene may write files: POVPREVIEW_WRITE is in the environment.
+bool may_write();
+
 /// A failure that reaches POV-Ray's front end without having passed its MessageFactory.
 void note_error(const std::string& text);
 

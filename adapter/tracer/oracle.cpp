@@ -6,6 +6,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -77,9 +78,17 @@ std::vector<std::string> Oracle::files_read() {
 void Oracle::note_error(const std::string& text, const std::string& file, long line, bool certain) {
     if (!enabled()) return;
     const std::lock_guard lock(error_mutex_);
-    std::string& kept = certain ? error_ : possible_error_;
-    if (!error_.empty() || !kept.empty()) return;  // what comes later follows from the first
-    kept = text;
+    if (!error_.empty()) return;  // what comes later follows from the first
+    if (certain) {
+        error_ = text;
+    } else {
+        // Of possible ones the last two: "cannot find file 'sign'" and "cannot find image file".
+        const std::size_t last = possible_error_.find_last_of('\n');
+        possible_error_ =
+            possible_error_.empty()
+                ? text
+                : possible_error_.substr(last == std::string::npos ? 0 : last + 1) + "\n" + text;
+    }
     if (file.empty()) return;
     error_file_ = file;
     error_line_ = line > 0 ? static_cast<unsigned>(line) : 0;
@@ -94,10 +103,13 @@ void Oracle::fail(const std::string& text) {
         message = text;
     else if (!error_.empty() && !possible_error_.empty())
         message += " (" + possible_error_ + ")";
+    std::replace(message.begin(), message.end(), '\n', ' ');
     wire_->send_failure(message, error_file_, error_line_);
 }
 
 bool serves_previewer() { return enabled(); }
+
+bool may_write() { return std::getenv("POVPREVIEW_WRITE") != nullptr; }
 
 void note_read(const std::string& file) { Oracle::instance().note_read(file); }
 

@@ -70,6 +70,8 @@ void add_common(CLI::App& app, Options& options) {
     app.add_option("--backend", options.backend, "OpenGL by: auto, egl, osmesa")
         ->transform(CLI::CheckedTransformer(backends))
         ->option_text("NAME");
+    app.add_flag("--allow-writing", options.allow_writing,
+                 "Let the scene write files (#fopen), in its folder and the working folder");
     app.add_option("--stall-timeout", options.stall_timeout,
                    "Give the tracer up when it has been silent for so long (default 60)")
         ->check(CLI::PositiveNumber)

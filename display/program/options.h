@@ -34,6 +34,7 @@ struct PreviewOptions {
     std::filesystem::path reference;  ///< finished picture that captions measure against, or empty
     int mirror_depth = 1;             ///< edges are found in mirrors seen in mirrors, so many deep
     double stall_timeout = 60;
+    bool allow_writing = false;     ///< scenes may write files beside themselves
     bool finish = false;            ///< POV-Ray's image is made in the end
     std::filesystem::path session;  ///< file that keeps the samples, or empty
     bool resume = false;            ///< the session's samples are used
@@ -51,6 +52,7 @@ struct CompareOptions {
     int mirror_depth = 1;
     Backend backend = Backend::automatic;
     double stall_timeout = 60;
+    bool allow_writing = false;  ///< scenes may write files beside themselves
 };
 
 /// What `povpreview figures SCENE.pov` was asked to do.
@@ -62,6 +64,7 @@ struct FiguresOptions {
     int mirror_depth = 1;                ///< see EdgeFinding
     Backend backend = Backend::automatic;
     double stall_timeout = 60;
+    bool allow_writing = false;  ///< scenes may write files beside themselves
 };
 
 /// What `povpreview plan SCENE.pov` was asked to do.
@@ -71,6 +74,7 @@ struct PlanOptions {
     int mirror_depth = 1;  ///< see EdgeFinding
     Backend backend = Backend::automatic;
     double stall_timeout = 60;
+    bool allow_writing = false;  ///< scenes may write files beside themselves
 };
 
 /// Every `count`-th item of a list, beginning with item `index`.

@@ -58,7 +58,8 @@ class Preview {
         if (options_.finish) scratch_.emplace();
         scene_.emplace(
             povray_,
-            TracerWishes{options_.stall_timeout, scratch_ ? scratch_->path() : "", options_.memory},
+            TracerWishes{options_.stall_timeout, scratch_ ? scratch_->path() : "", options_.memory,
+                         options_.allow_writing},
             [&](const std::string& what) { line_.show(what); }, interrupted, foreknowledge());
         if (options_.finish) check_image(scene_->description().output);
         open_window();

@@ -46,7 +46,13 @@ PovrayOracle::Settings settings(const PovrayOptions& povray, const TracerWishes&
     result.arguments = povray.tracer_arguments({.finish = !wishes.finish_folder.empty()});
     result.geometry = geometry;
     result.finish_folder = wishes.finish_folder;
-    result.sandbox = SandboxRules{povray.readable, wishes.finish_folder, wishes.memory};
+    result.writes = wishes.writes;
+    result.sandbox = SandboxRules{povray.readable, {}, wishes.memory};
+    if (!wishes.finish_folder.empty()) result.sandbox->writable.push_back(wishes.finish_folder);
+    if (wishes.writes)
+        for (const auto& folder : {std::filesystem::current_path(),
+                                   std::filesystem::absolute(povray.scene).parent_path()})
+            result.sandbox->writable.push_back(folder);
     result.stall_timeout =
         std::chrono::milliseconds(static_cast<std::int64_t>(wishes.stall_timeout_s * 1000));
     return result;

@@ -35,6 +35,7 @@ struct TracerWishes {
     double stall_timeout_s = 60;
     std::filesystem::path finish_folder = {};  ///< see PovrayOracle::Settings
     std::uint64_t memory = 0;                  ///< bytes that it may use; 0: any number
+    bool writes = false;                       ///< the scene may write files, beside itself
 };
 
 /// A scene in a tracer of its own, parsed, and the clocks that run since.

@@ -39,7 +39,7 @@ class SandboxTest : public OracleTest {
     std::string said_by(const std::string& script, std::uint64_t memory = 0) const {
         TracerSetting setting;
         setting.sandbox =
-            SandboxRules{{work_ / "open", work_ / "nowhere"}, work_ / "scratch", memory};
+            SandboxRules{{work_ / "open", work_ / "nowhere"}, {work_ / "scratch"}, memory};
         TracerProcess process("bash", {"-c", "cd " + work_.string() + "; " + script}, setting);
         std::byte buffer[64];
         while (process.receive(buffer).what != TracerProcess::Received::end)

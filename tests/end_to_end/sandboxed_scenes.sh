@@ -29,6 +29,9 @@ echo "$head #fopen F \"written.txt\" write #write(F, \"text\") #fclose F $body" 
 preview write.pov
 [ $? -eq 1 ] && grep -q 'write access to.*written.txt' err && [ ! -e written.txt ]
 report $? "#fopen write is refused by POV-Ray's own message"
+grep -q -- '--allow-writing' err && preview write.pov --allow-writing && grep -q text written.txt
+report $? "and allowed where the user says so"
+rm -f written.txt
 echo "$head #fopen F \"$work/elsewhere/a.txt\" append #write(F, \"text\") #fclose F $body" >append.pov
 preview append.pov
 [ $? -eq 1 ] && [ ! -e "$work/elsewhere/a.txt" ]
