@@ -27,7 +27,7 @@ FunctionImage disc(std::uint32_t full_ns, std::uint32_t albedo_ns) {
     return image;
 }
 
-const Stage& named(const std::vector<Stage>& stages, const std::string& name) {
+Stage named(const std::vector<Stage>& stages, const std::string& name) {
     return *std::find_if(stages.begin(), stages.end(),
                          [&](const Stage& stage) { return stage.name == name; });
 }
@@ -50,7 +50,7 @@ TEST(Stages, ADearSceneGetsThemAllACheapOneOnlySamples) {
     WholeRun dear(disc(1'000'000, 10'000)), cheap(disc(1'000, 900));
     for (const char* name : {"outlines by probes", "albedo rays"}) {
         EXPECT_TRUE(named(dear.previewer.stages(), name).runs) << name;
-        const Stage& left_out = named(cheap.previewer.stages(), name);
+        const Stage left_out = named(cheap.previewer.stages(), name);
         EXPECT_FALSE(left_out.runs) << name;
         EXPECT_EQ(left_out.expected, 0) << name;
     }
