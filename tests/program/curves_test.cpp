@@ -106,7 +106,7 @@ TEST(Summary, TakesMediansOverRunsAndTellsTheSpread) {
 TEST(Summary, AMethodThatMostlyNeverCameThereHasNoMedian) {
     const std::vector<CurvePoint> curves{point("a", 3, .01, 1), point("b", 8, .2, 1),
                                          point("b", 8, .2, 2), point("b", 9, .01, 3)};
-    const Reached& b = reached(summarise(curves, {"s"}, {"a", "b"}), "s", "b", .05);
+    const Reached b = reached(summarise(curves, {"s"}, {"a", "b"}), "s", "b", .05);
     EXPECT_FALSE(b.median);
     EXPECT_EQ(*b.least, 9);
     EXPECT_FALSE(b.ratio);
@@ -120,7 +120,7 @@ TEST(Summary, MeansAreGeometricAndOnlyOneArrivingIsAWinOrALoss) {
         point("a", 2, .01, 1, "alone"), point("b", 1, .2, 1, "alone"),
         point("a", 2, .2, 1, "missed"), point("b", 1, .01, 1, "missed"),
         point("a", 2, .2, 1, "nobody"), point("b", 1, .2, 1, "nobody")};
-    const MeanRatio& b =
+    const MeanRatio b =
         mean(summarise(curves, {"even", "won", "lost", "alone", "missed", "nobody"}, {"a", "b"}),
              "b", .05);
     EXPECT_EQ(b.scenes, 3);
