@@ -354,7 +354,7 @@ void PovrayOracle::send_range(Sequence begin, Sequence end) {
     std::array<std::vector<std::uint32_t>, kinds * all_parts> groups;
     const auto group_of = [](const SampleQueue::Slot& slot) {
         return static_cast<std::size_t>(slot.sample.kind) * all_parts +
-               static_cast<std::size_t>(slot.parts);
+               static_cast<std::size_t>(slot.sample.parts);
     };
     for (Sequence s = begin; s < end; ++s)
         if (!queue_.answered(s))

@@ -23,7 +23,6 @@ class SampleQueue {
    public:
     struct Slot {
         Sample sample;
-        Parts parts = Parts::colour;
         bool answered = false;
     };
 
@@ -33,8 +32,7 @@ class SampleQueue {
 
     void push(const Request& request, Parts parts) {
         if (end_ - begin_ == slots_.size()) grow();
-        at(end_) = {.sample = {.position = request.position, .kind = request.kind},
-                    .parts = parts,
+        at(end_) = {.sample = {.position = request.position, .kind = request.kind, .parts = parts},
                     .answered = false};
         ++end_;
     }

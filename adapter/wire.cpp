@@ -13,6 +13,7 @@
 
 #include "adapter/wire_generated.h"
 #include "adapter/wire_values.h"
+#include "core/colour.h"
 
 namespace povpreview {
 
@@ -22,10 +23,6 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little,
               "frame sizes are copied as they lie in memory");
-
-bool finite(const glm::vec3& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
 
 CameraDescription camera(const wire::Camera& from) {
     CameraDescription to;
@@ -220,7 +217,7 @@ void report::Answer::check_asked(std::uint32_t batch_count, RayKind kind, Parts 
 
 void report::Answer::read(std::uint32_t i, Sample& sample) const {
     assert(i < count_);
-    const Sample blank{.position = sample.position, .kind = sample.kind};
+    const Sample blank{.position = sample.position, .kind = sample.kind, .parts = sample.parts};
     sample = blank;
     if (const auto* light = table_->light()) {
         sample.colour = vec3(light->Get(i)->colour());

@@ -29,4 +29,9 @@ inline glm::vec3 display_encoded(const glm::vec3& linear) {
     return {display_encoded(linear.x), display_encoded(linear.y), display_encoded(linear.z)};
 }
 
+/// Whether a colour, or any three numbers, can be reckoned with.
+inline bool finite(const glm::vec3& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
 }  // namespace povpreview

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "core/colour.h"
 #include "core/detail/edge_detail.h"
 #include "core/mesh_previewer.h"
 
@@ -23,9 +24,6 @@ constexpr std::uint32_t most_anchors = 32;
 
 /// Where light differs by less than this share of what colours do, the albedo makes the rest.
 constexpr float explained_share = .25f;
-bool finite(const glm::vec3& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
 
 }  // namespace
 
@@ -87,13 +85,11 @@ std::uint32_t MeshPreviewer::item_seen(const Sample& sample) {
 }
 
 /// Whether a sample's shading came, and is sound. It may not have been wanted yet when the sample
-/// was asked for; then all of it is zero, and taken for light it would be darkness.
+/// was asked for.
 bool MeshPreviewer::shaded(const Sample& sample) const {
-    const glm::vec3 none(0);
-    const bool came = sample.albedo != none || sample.illumination != none ||
-                      sample.remainder != none || sample.colour == none;
-    return contains(parts(), Parts::shading) && came && sample.surface != 0 &&
-           finite(sample.albedo) && finite(sample.illumination) && finite(sample.remainder);
+    return contains(parts(), Parts::shading) && contains(sample.parts, Parts::shading) &&
+           sample.surface != 0 && finite(sample.albedo) && finite(sample.illumination) &&
+           finite(sample.remainder);
 }
 
 /// Among the first samples every some albedo rays, so that their cost is known as well.

@@ -8,6 +8,8 @@
 #include <glm/geometric.hpp>
 #include <numeric>
 
+#include "core/colour.h"
+
 namespace povpreview {
 
 using Spoke = Triangulation::Spoke;
@@ -29,10 +31,6 @@ constexpr double shortest_constraint = 4;
 /// An albedo ray against a full sample, where what rays cost is not looked at; half of the scenes
 /// have it for .6, a quarter for .25.
 constexpr double usual_albedo_price = .25;
-
-bool finite(const glm::vec3& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
 
 /// Where the vertices of a pixel lie along one axis: in its middle, but the outermost pixels reach
 /// to the border, and the only pixel of a row or column to both sides.

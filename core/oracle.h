@@ -37,6 +37,7 @@ constexpr Parts operator|(Parts a, Parts b) {
 constexpr bool contains(Parts all, Parts part) {
     return (static_cast<unsigned>(all) & static_cast<unsigned>(part)) != 0;
 }
+constexpr bool contains_all(Parts all, Parts parts) { return (all | parts) == all; }
 
 struct Request {
     glm::dvec2 position;  ///< pixel coordinates; need not lie inside the image
@@ -60,6 +61,7 @@ struct Sample {
     glm::dvec2 position{};
     RayKind kind = RayKind::full;
     bool failed = false;        ///< the tracer could not answer; every other part is zero
+    Parts parts{};              ///< full rays: those that were asked for; the others are zero
     glm::vec3 colour{};         ///< full rays
     float transmittance = 0;    ///< full rays: share of the background that shines through, 0..1
     std::uint32_t surface = 0;  ///< identity of the first surface (object and face); 0: none hit

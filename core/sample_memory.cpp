@@ -5,6 +5,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "core/colour.h"
+
 namespace povpreview {
 
 std::size_t SampleMemory::KeyHash::operator()(const Key& key) const {
@@ -25,6 +27,7 @@ SampleMemory::SampleMemory(SampleOracle& oracle, int width, int height)
 Sample with_parts(const Sample& sample, Parts parts) {
     if (sample.kind != RayKind::full) return sample;  // these have no choice
     Sample result = sample;
+    result.parts = parts;
     if (!contains(parts, Parts::surface)) {
         result.surface = 0;
         result.depth = 0;
@@ -36,18 +39,16 @@ Sample with_parts(const Sample& sample, Parts parts) {
     return result;
 }
 
-void SampleMemory::recall(const Sample& sample, Parts parts) {
+void SampleMemory::recall(const Sample& sample) {
     const Key key{sample.position.x, sample.position.y, sample.kind};
-    const auto [known, is_new] = memory_.try_emplace(key, Remembered{sample, parts});
-    const unsigned had = static_cast<unsigned>(known->second.parts);
-    if (!is_new && (had & ~static_cast<unsigned>(parts)) == 0) known->second = {sample, parts};
+    const auto [known, is_new] = memory_.try_emplace(key, sample);
+    if (!is_new && contains_all(sample.parts, known->second.parts)) known->second = sample;
 }
 
-const SampleMemory::Remembered* SampleMemory::find(const Request& request, Parts parts) const {
+const Sample* SampleMemory::find(const Request& request, Parts parts) const {
     const auto known = memory_.find({request.position.x, request.position.y, request.kind});
     if (known == memory_.end()) return nullptr;
-    const unsigned has = static_cast<unsigned>(known->second.parts);
-    const bool enough = request.kind != RayKind::full || (static_cast<unsigned>(parts) & ~has) == 0;
+    const bool enough = request.kind != RayKind::full || contains_all(known->second.parts, parts);
     return enough ? &known->second : nullptr;
 }
 
@@ -58,8 +59,7 @@ void SampleMemory::see(const Sample& sample) {
     if (sample.position != glm::dvec2(column + .5, row + .5) || column < 0 || row < 0 ||
         column >= width_ || row >= height_)
         return;
-    const bool usable = !sample.failed && std::isfinite(sample.colour.x) &&
-                        std::isfinite(sample.colour.y) && std::isfinite(sample.colour.z);
+    const bool usable = !sample.failed && finite(sample.colour);
     pixels_[static_cast<std::size_t>(row) * static_cast<std::size_t>(width_) +
             static_cast<std::size_t>(column)] = {sample.colour, sample.transmittance, usable};
 }
@@ -67,9 +67,8 @@ void SampleMemory::see(const Sample& sample) {
 void SampleMemory::submit(std::span<const Request> requests, Parts parts) {
     asked_.clear();
     for (const Request& request : requests) {
-        const Remembered* known = find(request, parts);
-        slots_.push_back(
-            {known ? with_parts(known->sample, parts) : Sample{}, parts, known != nullptr});
+        const Sample* known = find(request, parts);
+        slots_.push_back({known ? with_parts(*known, parts) : Sample{}, known != nullptr});
         if (known) {
             ++recalled_;
         } else {
@@ -91,7 +90,7 @@ void SampleMemory::collect(std::vector<Sample>& samples, std::chrono::nanosecond
             slot.sample = sample;
             slot.answered = true;
             --waiting_;
-            if (listener_) listener_(sample, slot.parts);
+            if (listener_) listener_(sample);
         }
     }
     while (!slots_.empty() && slots_.front().answered) {

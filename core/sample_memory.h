@@ -22,12 +22,10 @@ class SampleMemory : public SampleOracle {
     /// Of a picture of `width` x `height` pixels. The oracle must outlive it.
     SampleMemory(SampleOracle& oracle, int width, int height);
 
-    /// Remembers a sample of an earlier run, which had these parts.
-    void recall(const Sample& sample, Parts parts);
-    /// Has every sample that the oracle answers told, with the parts it was asked for.
-    void tell(std::function<void(const Sample&, Parts)> listener) {
-        listener_ = std::move(listener);
-    }
+    /// Remembers a sample of an earlier run.
+    void recall(const Sample& sample);
+    /// Has every sample that the oracle answers told.
+    void tell(std::function<void(const Sample&)> listener) { listener_ = std::move(listener); }
 
     /// The full samples that have come at pixel centres, row by row.
     const std::vector<PixelLight>& pixels() const { return pixels_; }
@@ -46,25 +44,20 @@ class SampleMemory : public SampleOracle {
     struct KeyHash {
         std::size_t operator()(const Key& key) const;
     };
-    struct Remembered {
-        Sample sample;
-        Parts parts;
-    };
     /// A request on its way.
     struct Slot {
         Sample sample;
-        Parts parts;
         bool answered;
     };
 
-    const Remembered* find(const Request& request, Parts parts) const;
+    const Sample* find(const Request& request, Parts parts) const;
     void see(const Sample& sample);
 
     SampleOracle& oracle_;
     int width_, height_;
-    std::unordered_map<Key, Remembered, KeyHash> memory_;
+    std::unordered_map<Key, Sample, KeyHash> memory_;
     std::vector<PixelLight> pixels_;
-    std::function<void(const Sample&, Parts)> listener_;
+    std::function<void(const Sample&)> listener_;
     std::deque<Slot> slots_;         // oldest first
     std::size_t waiting_ = 0;        // of them, for the oracle
     std::size_t first_waiting_ = 0;  // no slot before it waits

@@ -5,6 +5,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "core/colour.h"
+
 namespace povpreview {
 
 DetailMap::DetailMap(int width, int height)
@@ -63,8 +65,7 @@ void DetailMap::accept(const ItemBuffer& drawn, ItemNumbers& numbers) {
 
 void DetailMap::accept_albedo(Pixel pixel, const Sample& sample, ItemNumbers& numbers) {
     told_[pixel] = true;
-    const bool usable = !sample.failed && std::isfinite(sample.albedo.x) &&
-                        std::isfinite(sample.albedo.y) && std::isfinite(sample.albedo.z);
+    const bool usable = !sample.failed && finite(sample.albedo);
     set_item(pixel, usable ? numbers.of(sample.surface) : unknown);
     if (usable)
         set_albedo(pixel, sample.albedo);

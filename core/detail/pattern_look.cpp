@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <glm/vec4.hpp>
 
+#include "core/colour.h"
+
 namespace povpreview {
 namespace {
 
@@ -103,8 +105,7 @@ std::optional<glm::vec3> pattern_albedo(const PatternLook& look, const glm::dvec
             return std::nullopt;
     }
     const glm::vec3& colour = look.colours[number];
-    if (!std::isfinite(colour.r) || !std::isfinite(colour.g) || !std::isfinite(colour.b))
-        return std::nullopt;
+    if (!finite(colour)) return std::nullopt;
     return colour;
 }
 

@@ -131,17 +131,17 @@ class Preview {
         std::error_code gone;
         if (options_.resume && std::filesystem::exists(options_.session, gone)) {
             std::size_t count = 0;
-            session_.emplace(SessionFile::resume(options_.session, identity,
-                                                 [&](const Sample& sample, Parts parts) {
-                                                     memory_->recall(sample, parts);
-                                                     ++count;
-                                                 }));
+            session_.emplace(
+                SessionFile::resume(options_.session, identity, [&](const Sample& sample) {
+                    memory_->recall(sample);
+                    ++count;
+                }));
             say(fmt::format("going on with {} samples of {}", thousands(count),
                             options_.session.string()));
         } else {
             session_.emplace(SessionFile::begin(options_.session, identity));
         }
-        memory_->tell([this](const Sample& sample, Parts parts) { session_->add(sample, parts); });
+        memory_->tell([this](const Sample& sample) { session_->add(sample); });
     }
 
     void say(const std::string& text) {

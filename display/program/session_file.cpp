@@ -161,7 +161,7 @@ SessionFile SessionFile::begin(const fs::path& file, const SessionIdentity& iden
 }
 
 SessionFile SessionFile::resume(const fs::path& file, const SessionIdentity& identity,
-                                const std::function<void(const Sample&, Parts)>& each) {
+                                const std::function<void(const Sample&)>& each) {
     const int fd = open(file.c_str(), O_WRONLY | O_CLOEXEC);
     if (fd < 0) refuse(fmt::format("cannot open this file ({})", std::strerror(errno)), file);
     lock(fd, file);
@@ -192,8 +192,8 @@ SessionFile::~SessionFile() {
     if (fd_ >= 0) close(fd_);
 }
 
-void SessionFile::add(const Sample& sample, Parts parts) {
-    if (fd_ >= 0 && trouble_.empty()) encode_sample(pending_, sample, parts);
+void SessionFile::add(const Sample& sample) {
+    if (fd_ >= 0 && trouble_.empty()) encode_sample(pending_, sample);
 }
 
 void SessionFile::write_some() {

@@ -32,17 +32,17 @@ class SessionFile {
    public:
     /// Begins a session in a file that does not exist. Throws Error(Exit::usage).
     static SessionFile begin(const std::filesystem::path& file, const SessionIdentity& identity);
-    /// Reads a session, tells of all its samples and of the parts they were asked for, and goes on
-    /// with it. Of a chunk that a kill has cut off in the middle of writing nothing is used. Throws
-    /// Error(Exit::usage) if it is damaged, in use, no session, or of another identity; what of the
-    /// identity differs, the message says.
+    /// Reads a session, tells of all its samples, and goes on with it. Of a chunk that a kill has
+    /// cut off in the middle of writing nothing is used. Throws Error(Exit::usage) if it is
+    /// damaged, in use, no session, or of another identity; what of the identity differs, the
+    /// message says.
     static SessionFile resume(const std::filesystem::path& file, const SessionIdentity& identity,
-                              const std::function<void(const Sample&, Parts)>& each);
+                              const std::function<void(const Sample&)>& each);
     ~SessionFile();
     SessionFile(SessionFile&& other) noexcept;
     SessionFile& operator=(SessionFile&&) = delete;
 
-    void add(const Sample& sample, Parts parts);
+    void add(const Sample& sample);
     /// Writes what was added, if that is much or a while ago.
     void write_some();
     /// Writes what was added.

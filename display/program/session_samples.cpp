@@ -13,7 +13,8 @@ constexpr unsigned parts_shift = 2, failed_bit = 1u << 5, all_bits = (1u << 6) -
 
 /// Visits a sample's values in the order in which they are stored.
 template <class SampleOrConst, class Visit>
-void visit(SampleOrConst& sample, Parts parts, const Visit& value) {
+void visit(SampleOrConst& sample, const Visit& value) {
+    const Parts parts = sample.parts;
     const bool full = sample.kind == RayKind::full;
     value(sample.position);
     value(sample.cost_ns);
@@ -39,18 +40,18 @@ void visit(SampleOrConst& sample, Parts parts, const Visit& value) {
 
 }  // namespace
 
-void encode_sample(std::string& bytes, const Sample& sample, Parts parts) {
+void encode_sample(std::string& bytes, const Sample& sample) {
     const unsigned head = static_cast<unsigned>(sample.kind) |
-                          static_cast<unsigned>(parts) << parts_shift |
+                          static_cast<unsigned>(sample.parts) << parts_shift |
                           (sample.failed ? failed_bit : 0);
     bytes.push_back(static_cast<char>(head));
-    visit(sample, parts, [&](const auto& value) {
+    visit(sample, [&](const auto& value) {
         static_assert(std::is_trivially_copyable_v<std::remove_reference_t<decltype(value)>>);
         bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
     });
 }
 
-bool decode_samples(std::string_view bytes, const std::function<void(const Sample&, Parts)>& each) {
+bool decode_samples(std::string_view bytes, const std::function<void(const Sample&)>& each) {
     while (!bytes.empty()) {
         const auto head = static_cast<unsigned char>(bytes.front());
         bytes.remove_prefix(1);
@@ -59,16 +60,16 @@ bool decode_samples(std::string_view bytes, const std::function<void(const Sampl
         if (head > all_bits || kind > static_cast<unsigned>(RayKind::albedo)) return false;
         sample.kind = static_cast<RayKind>(kind);
         sample.failed = (head & failed_bit) != 0;
-        const auto parts = static_cast<Parts>(head >> parts_shift & 7);
+        sample.parts = static_cast<Parts>(head >> parts_shift & 7);
         bool whole = true;
-        visit(sample, parts, [&](auto& value) {
+        visit(sample, [&](auto& value) {
             whole = whole && bytes.size() >= sizeof value;
             if (!whole) return;
             std::memcpy(&value, bytes.data(), sizeof value);
             bytes.remove_prefix(sizeof value);
         });
         if (!whole) return false;
-        each(sample, parts);
+        each(sample);
     }
     return true;
 }

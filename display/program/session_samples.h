@@ -10,10 +10,9 @@
 /// Samples as bytes, in the machine's own byte order, with nothing but the parts they have.
 namespace povpreview {
 
-/// Appends a sample that was asked for these parts.
-void encode_sample(std::string& bytes, const Sample& sample, Parts parts);
+void encode_sample(std::string& bytes, const Sample& sample);
 
 /// Tells of all samples in `bytes`; false if they are no samples, or do not end with one.
-bool decode_samples(std::string_view bytes, const std::function<void(const Sample&, Parts)>& each);
+bool decode_samples(std::string_view bytes, const std::function<void(const Sample&)>& each);
 
 }  // namespace povpreview

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/oracle.h"
+#include "core/sample_memory.h"
 
 namespace povpreview {
 
@@ -27,6 +28,7 @@ struct FunctionImage {
         Sample sample;
         sample.position = request.position;
         sample.kind = request.kind;
+        sample.parts = Parts::surface | Parts::shading | Parts::signature;
         sample.cost_ns = request.kind == RayKind::full ? full_ns : albedo_ns;
         sample.failed = fails(request.position);
         if (sample.failed) return sample;
@@ -73,10 +75,7 @@ class FunctionOracle : public SampleOracle {
     };
     /// Only with the parts that were asked for, as a tracer answers.
     Sample answer(const Order& order) const {
-        Sample sample = image_.sample(order.request);
-        if (order.request.kind == RayKind::full && !contains(order.parts, Parts::shading))
-            sample.albedo = sample.illumination = sample.remainder = glm::vec3(0);
-        return sample;
+        return with_parts(image_.sample(order.request), order.parts);
     }
 
     FunctionImage image_;

@@ -15,18 +15,13 @@ using namespace std::chrono_literals;
 constexpr int width = 96, height = 72;
 constexpr Parts everything = Parts::surface | Parts::shading | Parts::signature;
 
-struct Told {
-    Sample sample;
-    Parts parts;
-};
-
 /// Runs a mesh preview over a memory until it is complete, or has so many full samples.
 struct MeshRun {
     explicit MeshRun(std::uint32_t grouping_seed)
         : oracle(images::still_life(width, height), grouping_seed),
           memory(oracle, width, height),
           session(previewer, memory) {
-        memory.tell([this](const Sample& s, Parts p) { told.push_back({s, p}); });
+        memory.tell([this](const Sample& s) { told.push_back(s); });
     }
     void go(std::size_t full = SIZE_MAX) {
         session.limit_full(full);
@@ -37,7 +32,7 @@ struct MeshRun {
     SampleMemory memory;
     MeshPreviewer previewer{width, height};
     Session session;
-    std::vector<Told> told;
+    std::vector<Sample> told;
 };
 
 TEST(SampleMemory, AnswersInTheOrderOfTheRequestsWhateverIsRemembered) {
@@ -53,7 +48,7 @@ TEST(SampleMemory, AnswersInTheOrderOfTheRequestsWhateverIsRemembered) {
             const auto kind = static_cast<RayKind>(random() % 3);
             requests.push_back({{i % width + .5, random() % height + .25}, kind});
             if (random() % 2) continue;
-            memory.recall(image.sample(requests.back()), everything);
+            memory.recall(image.sample(requests.back()));
             ++remembered;
         }
         std::vector<Sample> answers;
@@ -82,7 +77,7 @@ TEST(SampleMemory, GivesTheWantedPartsAndAsksAnewForThoseItHasNot) {
     SampleMemory memory(oracle, width, height);
     const Request request{{30.5, 40.5}, RayKind::full};
     const Sample whole = images::disc({30, 40}, 20).sample(request);
-    memory.recall(with_parts(whole, Parts::surface), Parts::surface);
+    memory.recall(with_parts(whole, Parts::surface));
     const auto answer = [&](Parts parts) {
         std::vector<Sample> samples;
         memory.submit({&request, 1}, parts);
@@ -97,8 +92,8 @@ TEST(SampleMemory, GivesTheWantedPartsAndAsksAnewForThoseItHasNot) {
     EXPECT_EQ(answer(Parts::shading).illumination, whole.illumination);
     EXPECT_EQ(oracle.asked.size(), 1U);
     // More parts of a sample take the place of fewer, never the other way.
-    memory.recall(whole, everything);
-    memory.recall(with_parts(whole, Parts::surface), Parts::surface);
+    memory.recall(whole);
+    memory.recall(with_parts(whole, Parts::surface));
     EXPECT_EQ(answer(everything).illumination, whole.illumination);
     EXPECT_EQ(oracle.asked.size(), 1U);
 }
@@ -111,7 +106,7 @@ TEST(SampleMemory, ARunThatIsGoneOnWithEndsAsIfItHadNeverStopped) {
         SCOPED_TRACE(testing::Message() << "stopped after " << stop);
         MeshRun first(5), second(7);
         first.go(stop);
-        for (const Told& told : first.told) second.memory.recall(told.sample, told.parts);
+        for (const Sample& sample : first.told) second.memory.recall(sample);
         second.go();
         EXPECT_TRUE(second.previewer.done());
         EXPECT_EQ(second.memory.recalled(), first.told.size());

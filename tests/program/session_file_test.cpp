@@ -16,26 +16,21 @@
 namespace povpreview {
 namespace {
 
-struct Kept {
-    Sample sample;
-    Parts parts;
-};
-
-std::vector<Kept> random_samples(unsigned seed, std::size_t count) {
+std::vector<Sample> random_samples(unsigned seed, std::size_t count) {
     std::mt19937 random(seed);
     std::uniform_real_distribution<float> number(-2, 2);
     const auto vector = [&] { return glm::vec3(number(random), number(random), number(random)); };
-    std::vector<Kept> result;
+    std::vector<Sample> result;
     for (std::size_t i = 0; i < count; ++i) {
         Sample s;
         s.position = {random() % 1000 / 8., number(random)};
         s.kind = static_cast<RayKind>(random() % 3);
-        const auto parts = static_cast<Parts>(random() % 8);
+        s.parts = static_cast<Parts>(random() % 8);
         const bool full = s.kind == RayKind::full;
         s.failed = random() % 10 == 0;
         s.cost_ns = static_cast<std::uint32_t>(random());
         const auto has = [&](bool always, Parts part) {
-            return !s.failed && (always || (full && contains(parts, part)));
+            return !s.failed && (always || (full && contains(s.parts, part)));
         };
         if (full && !s.failed) s.colour = vector(), s.transmittance = number(random);
         if (has(!full, Parts::surface))
@@ -44,14 +39,13 @@ std::vector<Kept> random_samples(unsigned seed, std::size_t count) {
         if (has(false, Parts::shading)) s.illumination = vector(), s.remainder = vector();
         if (has(s.kind == RayKind::probe, Parts::signature))
             s.signature = {1, static_cast<std::uint32_t>(random()), 3, 4};
-        result.push_back({s, parts});
+        result.push_back(s);
     }
     return result;
 }
 
-bool equal(const Kept& a, const Kept& b) {
-    const Sample &p = a.sample, &q = b.sample;
-    return a.parts == b.parts && p.position == q.position && p.kind == q.kind &&
+bool equal(const Sample& p, const Sample& q) {
+    return p.parts == q.parts && p.position == q.position && p.kind == q.kind &&
            p.failed == q.failed && p.colour == q.colour && p.transmittance == q.transmittance &&
            p.surface == q.surface && p.depth == q.depth && p.normal == q.normal &&
            p.albedo == q.albedo && p.illumination == q.illumination && p.remainder == q.remainder &&
@@ -79,18 +73,16 @@ class SessionFileTest : public testing::Test {
         std::ofstream(file(), std::ios::binary | std::ios::trunc) << to;
     }
     /// Begins a session of these samples in chunks of ten.
-    void keep(const std::vector<Kept>& samples) const {
+    void keep(const std::vector<Sample>& samples) const {
         SessionFile session = SessionFile::begin(file(), identity_);
         for (std::size_t i = 0; i < samples.size(); ++i) {
-            session.add(samples[i].sample, samples[i].parts);
+            session.add(samples[i]);
             if (i % 10 == 9) session.write_all();
         }
     }
-    std::vector<Kept> resumed() const {
-        std::vector<Kept> result;
-        SessionFile::resume(file(), identity_, [&](const Sample& s, Parts p) {
-            result.push_back({s, p});
-        });
+    std::vector<Sample> resumed() const {
+        std::vector<Sample> result;
+        SessionFile::resume(file(), identity_, [&](const Sample& s) { result.push_back(s); });
         return result;
     }
     std::string refusal() const {
@@ -109,27 +101,26 @@ class SessionFileTest : public testing::Test {
 
 TEST_F(SessionFileTest, GivesBackWhatItWasGiven) {
     constexpr unsigned seed = 1;
-    const std::vector<Kept> samples = random_samples(seed, 95);
+    const std::vector<Sample> samples = random_samples(seed, 95);
     keep(samples);
-    std::vector<Kept> back = resumed();
+    std::vector<Sample> back = resumed();
     ASSERT_EQ(back.size(), samples.size());
     for (std::size_t i = 0; i < back.size(); ++i) EXPECT_TRUE(equal(back[i], samples[i])) << i;
     // And goes on.
-    SessionFile::resume(file(), identity_, [](const Sample&, Parts) {
-    }).add(samples[3].sample, samples[3].parts);
+    SessionFile::resume(file(), identity_, [](const Sample&) {}).add(samples[3]);
     back = resumed();
     ASSERT_EQ(back.size(), samples.size() + 1);
     EXPECT_TRUE(equal(back.back(), samples[3]));
 }
 
 TEST_F(SessionFileTest, CutOffAnywhereItHasAllWholeChunksOrIsRefused) {
-    const std::vector<Kept> samples = random_samples(2, 30);
+    const std::vector<Sample> samples = random_samples(2, 30);
     keep(samples);
     const std::string whole = bytes();
     std::size_t before = 0;
     for (std::size_t size = 0; size <= whole.size(); size += size < 200 ? 1 : 7) {
         set_bytes(whole.substr(0, size));
-        std::vector<Kept> back;
+        std::vector<Sample> back;
         try {
             back = resumed();
         } catch (const Error&) {
@@ -140,15 +131,14 @@ TEST_F(SessionFileTest, CutOffAnywhereItHasAllWholeChunksOrIsRefused) {
         for (std::size_t i = 0; i < back.size(); ++i) ASSERT_TRUE(equal(back[i], samples[i]));
         before = back.size();
         // What is added takes the place of what was cut off.
-        SessionFile::resume(file(), identity_, [](const Sample&, Parts) {
-        }).add(samples[0].sample, samples[0].parts);
+        SessionFile::resume(file(), identity_, [](const Sample&) {}).add(samples[0]);
         EXPECT_EQ(resumed().size(), before + 1) << size;
     }
     EXPECT_GE(before, 20U);
 }
 
 TEST_F(SessionFileTest, DamagedAnywhereItIsRefusedOrShorterNeverWrong) {
-    const std::vector<Kept> samples = random_samples(3, 30);
+    const std::vector<Sample> samples = random_samples(3, 30);
     keep(samples);
     const std::string whole = bytes();
     std::size_t refused = 0, tried = 0;
@@ -158,7 +148,7 @@ TEST_F(SessionFileTest, DamagedAnywhereItIsRefusedOrShorterNeverWrong) {
         set_bytes(broken);
         ++tried;
         try {
-            const std::vector<Kept> back = resumed();
+            const std::vector<Sample> back = resumed();
             ASSERT_LT(back.size(), samples.size()) << at;
             for (std::size_t i = 0; i < back.size(); ++i) ASSERT_TRUE(equal(back[i], samples[i]));
         } catch (const Error& error) {
@@ -198,17 +188,17 @@ TEST_F(SessionFileTest, OneAtATimeAndNeverOverAnother) {
 }
 
 TEST_F(SessionFileTest, AFullDiskEndsTheKeepingAndLosesNothingKept) {
-    const std::vector<Kept> samples = random_samples(5, 200);
+    const std::vector<Sample> samples = random_samples(5, 200);
     rlimit before{};
     getrlimit(RLIMIT_FSIZE, &before);
     signal(SIGXFSZ, SIG_IGN);
     {
         SessionFile session = SessionFile::begin(file(), identity_);
-        for (std::size_t i = 0; i < 100; ++i) session.add(samples[i].sample, samples[i].parts);
+        for (std::size_t i = 0; i < 100; ++i) session.add(samples[i]);
         session.write_all();
         const rlimit limit{std::filesystem::file_size(file()) + 100, before.rlim_max};
         setrlimit(RLIMIT_FSIZE, &limit);
-        for (std::size_t i = 100; i < 200; ++i) session.add(samples[i].sample, samples[i].parts);
+        for (std::size_t i = 100; i < 200; ++i) session.add(samples[i]);
         session.write_all();
         EXPECT_NE(session.trouble().find("kept"), std::string::npos);
         setrlimit(RLIMIT_FSIZE, &before);
