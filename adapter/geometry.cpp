@@ -125,6 +125,7 @@ std::optional<DrawableScene> drawable_scene(const Geometry& geometry,
     result->pieces = geometry.pieces;
     result->objects = geometry.objects;
     result->unknown = geometry.unknown;
+    result->unknown_in_mirrors = geometry.unknown_in_mirrors;
     result->images = geometry.images;
     result->working_gamma = scene.working_gamma;
     result->looks = looks_by_material(geometry);

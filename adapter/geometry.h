@@ -46,7 +46,7 @@ struct Geometry {
     std::vector<ConditionStep> conditions;
     std::vector<CurvedPiece> pieces;
     std::vector<CurvedObject> objects;
-    std::vector<Bounds> unknown;
+    std::vector<Bounds> unknown, unknown_in_mirrors;
     std::vector<MaterialLook> looks;
     std::vector<ImageTexels> images;  ///< without texels, which come after all else
 

@@ -46,6 +46,7 @@ void Geometry::append(const Geometry& other) {
         objects.push_back(object);
     }
     add_all(unknown, other.unknown);
+    add_all(unknown_in_mirrors, other.unknown_in_mirrors);
     add_all(looks, other.looks);
     add_all(images, other.images);
 }

@@ -274,7 +274,7 @@ void PovrayOracle::handle_geometry(const report::GeometryChunk& chunk) {
          {arriving_.points.size(), arriving_.corners.size(), arriving_.polygons.size(),
           arriving_.left_out.size(), arriving_.solids.size(), arriving_.conditions.size(),
           arriving_.pieces.size(), arriving_.objects.size(), arriving_.unknown.size(),
-          arriving_.looks.size()})
+          arriving_.unknown_in_mirrors.size(), arriving_.looks.size()})
         if (size > geometry_limit)
             throw WireFault(fmt::format("geometry of more than {} parts", geometry_limit));
     if (!chunk.last) return;

@@ -167,6 +167,8 @@ void read_objects(const wire::Geometry& from, Geometry& part) {
     if (steps_taken != part.conditions.size() || pieces_taken != part.pieces.size())
         throw WireFault("geometry with steps or pieces that belong to nothing");
     for (const wire::Box& b : copied(from.unknown())) part.unknown.push_back(box(b));
+    for (const wire::Box& b : copied(from.unknown_in_mirrors()))
+        part.unknown_in_mirrors.push_back(box(b));
 }
 
 // ---- looks
@@ -201,6 +203,7 @@ void read_looks(const wire::Geometry& from, Geometry& part) {
             to.pattern = pattern(l.pattern(), l.to_map());
         else
             to.image.to_map = frame(l.to_map());
+        to.mirror = l.mirror() > 0 ? std::min(l.mirror(), 1.f) : 0;  // not if NaN
         part.looks.push_back({l.material(), to});
     }
     for (const wire::ImageSize& i : copied(from.images())) {

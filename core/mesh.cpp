@@ -91,6 +91,7 @@ void Mesh::answer(SampleId id, const Sample& answer, std::uint32_t item, bool sh
     sample.colour = answer.colour;
     sample.encoded = display_encoded(answer.colour);
     sample.surface = answer.surface;
+    sample.reflected_surface = answer.reflected_surface;
     sample.item = item;
     sample.state = VertexSample::State::known;
     sample.shaded = shaded;
@@ -99,6 +100,11 @@ void Mesh::answer(SampleId id, const Sample& answer, std::uint32_t item, bool sh
     sample.remainder = answer.remainder;
     sum_ += glm::dvec3(answer.colour);
     ++count_;
+}
+
+void Mesh::number_again(const std::function<std::uint32_t(const VertexSample&)>& item) {
+    for (VertexSample& sample : samples_)
+        if (sample.item != DetailMap::unknown) sample.item = item(sample);
 }
 
 void Mesh::fail(SampleId id) { samples_[id.value].state = VertexSample::State::failed; }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <optional>
@@ -26,7 +27,7 @@ struct VertexSample {
     glm::dvec2 position;  ///< where it was traced
     glm::vec3 colour{};   ///< linear light
     glm::vec3 encoded{};  ///< the same, display-encoded in [0, 1]
-    std::uint32_t surface = 0;
+    std::uint32_t surface = 0, reflected_surface = 0;
     std::uint32_t item = DetailMap::unknown;  ///< number of that surface
     State state = State::promised;
     bool shaded = false;  ///< the rest is there: colour = albedo * illumination + remainder
@@ -63,6 +64,8 @@ class Mesh {
     void answer(SampleId sample, const Sample& answer, std::uint32_t item = DetailMap::unknown,
                 bool shaded = false);
     void fail(SampleId sample);
+    /// Gives all samples whose surfaces are numbered other numbers.
+    void number_again(const std::function<std::uint32_t(const VertexSample&)>& item);
     /// Asks for a promised sample elsewhere.
     void move(SampleId sample, glm::dvec2 position) { samples_[sample.value].position = position; }
     const VertexSample& sample(SampleId id) const { return samples_[id.value]; }

@@ -39,6 +39,12 @@ DetailMap& MeshPreviewer::detail_to_change() {
 
 void MeshPreviewer::accept_items(const ItemBuffer& items) {
     if (!options_.detail || !refining_) return;
+    if (!items.mirrors.empty()) {
+        items_.set_mirrors(items.mirrors);
+        mesh_.number_again([&](const VertexSample& sample) {
+            return items_.of(sample.surface, sample.reflected_surface);
+        });
+    }
     detail_to_change().accept(items, items_);
     const auto varies = [](Look::Kind kind) { return kind != Look::Kind::plain; };
     textured_ = textured_ || std::any_of(items.kinds.begin(), items.kinds.end(), varies);
@@ -76,7 +82,7 @@ std::optional<Request> MeshPreviewer::next_seed() {
 /// sample is right.
 std::uint32_t MeshPreviewer::item_seen(const Sample& sample) {
     if (!options_.detail || !refining_) return DetailMap::unknown;
-    const std::uint32_t item = items_.of(sample.surface);
+    const std::uint32_t item = items_.of(sample.surface, sample.reflected_surface);
     // A one-sided sample does not lie in the middle of a pixel, for which alone the map speaks.
     const Pixel pixel = squares_.pixel_at(sample.position);
     if (detail_ && sample.position == squares_.centre(pixel) && detail_->contradicts(pixel, item))

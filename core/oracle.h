@@ -27,7 +27,7 @@ enum class RayKind : std::uint8_t {
 /// the tracer less. Colour and cost always come. Combine with `|`.
 enum class Parts : std::uint8_t {
     colour = 0,
-    surface = 1,    ///< surface, depth, normal
+    surface = 1,    ///< surface, reflected surface, depth, normal
     shading = 2,    ///< albedo, illumination, remainder
     signature = 4,  ///< ray-tree signature
 };
@@ -65,11 +65,14 @@ struct Sample {
     glm::vec3 colour{};         ///< full rays
     float transmittance = 0;    ///< full rays: share of the background that shines through, 0..1
     std::uint32_t surface = 0;  ///< identity of the first surface (object and face); 0: none hit
-    float depth = 0;            ///< distance from the eye to it in scene units; 0: none hit
-    glm::vec3 normal{};         ///< its geometric normal in world space, towards the eye
-    glm::vec3 albedo{};         ///< its pigment's colour
-    glm::vec3 illumination{};   ///< light falling on it, as scattered to the eye by white
-    glm::vec3 remainder{};      ///< light that does not pass through its pigment
+    /// What the first ray meets that it reflects; 0: nothing. Full and probe rays.
+    std::uint32_t reflected_surface = 0;
+    static constexpr std::uint32_t no_reflection = 0xffffffff;  ///< it reflects none
+    float depth = 0;           ///< distance from the eye to it in scene units; 0: none hit
+    glm::vec3 normal{};        ///< its geometric normal in world space, towards the eye
+    glm::vec3 albedo{};        ///< its pigment's colour
+    glm::vec3 illumination{};  ///< light falling on it, as scattered to the eye by white
+    glm::vec3 remainder{};     ///< light that does not pass through its pigment
     Signature signature{};
     std::uint32_t cost_ns = 0;  ///< time this ray took in the tracer, nanoseconds
 };

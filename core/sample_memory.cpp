@@ -29,7 +29,7 @@ Sample with_parts(const Sample& sample, Parts parts) {
     Sample result = sample;
     result.parts = parts;
     if (!contains(parts, Parts::surface)) {
-        result.surface = 0;
+        result.surface = result.reflected_surface = 0;
         result.depth = 0;
         result.normal = {};
     }

@@ -63,6 +63,14 @@ BoxFacts common_box(const BoxFacts& a, const BoxFacts& b) {
         {std::min(a.high.x, b.high.x), std::min(a.high.y, b.high.y), std::min(a.high.z, b.high.z)}};
 }
 
+/// Whether some of an object is seen by the eye alone or in mirrors alone.
+bool differs_in_mirrors(const pov::ObjectBase& object) {
+    if (Test_Flag(&object, NO_IMAGE_FLAG) || Test_Flag(&object, NO_REFLECTION_FLAG)) return true;
+    if (!is_a<pov::CSG>(object)) return false;
+    return std::any_of(children(object).begin(), children(object).end(),
+                       [](pov::ConstObjectPtr child) { return differs_in_mirrors(*child); });
+}
+
 bool stands_alone(const pov::ObjectBase& object) {
     const bool clipped = !object.Clip.empty() && !is_a<pov::BicubicPatch>(object);
     return !is_a<pov::CSG>(object) && !clipped && object.Bound.empty();
@@ -102,8 +110,11 @@ void GeometryExport::run(const std::vector<pov::ObjectPtr>& objects) {
 void GeometryExport::add_light(const Waiting& light) {
     for (const pov::ObjectPtr looks_like : children(*light.object)) {
         writer_.leave_out({"light_source", "looks like something", false});
+        const BoxFacts box = common_box(light.box, box_of(*looks_like));
         if (!Test_Flag(light.object, NO_IMAGE_FLAG))
-            writer_.add_unknown(common_box(light.box, box_of(*looks_like)));
+            writer_.add_unknown(box);
+        else
+            writer_.add_unknown_in_mirrors(box);
     }
 }
 
@@ -137,6 +148,7 @@ void GeometryExport::add(const Waiting& part) {
         if (!drawn && std::string_view(other_reason) != no_closed_form) reason = other_reason;
     }
     if (seen && !drawn) writer_.add_unknown(box);
+    if (!seen || (drawn && differs_in_mirrors(object))) writer_.add_unknown_in_mirrors(box);
     writer_.leave_out({object_kind(object), reason, drawn});
 }
 

@@ -77,6 +77,7 @@ struct LookFacts {
     LookKind kind = LookKind::mixed;
     std::uint8_t mapping = 0, interpolation = 0;  ///< as wire::Mapping and wire::Interpolation
     bool once = false;
+    float mirror = 0;
     LocalFrame to_map;
     PatternFacts pattern;
 };
@@ -110,7 +111,7 @@ struct GeometryChunk {
     std::vector<std::int32_t> steps;  ///< of conditions, piece by piece
     std::vector<PieceFacts> pieces;   ///< object by object
     std::vector<CurvedFacts> objects;
-    std::vector<BoxFacts> unknown;
+    std::vector<BoxFacts> unknown, unknown_in_mirrors;
     std::vector<LookFacts> looks;
     std::vector<ImageSize> images;
     /// How many objects are not polygonal, and why.

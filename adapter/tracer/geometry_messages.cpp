@@ -61,7 +61,8 @@ wire::Look look(const LookFacts& from) {
             static_cast<wire::LookKind>(from.kind),
             static_cast<wire::Mapping>(from.mapping),
             static_cast<wire::Interpolation>(from.interpolation),
-            from.once};
+            from.once,
+            from.mirror};
 }
 wire::ImageSize image(const ImageSize& from) { return {from.width, from.height}; }
 wire::Vec2f uv(const std::array<float, 2>& from) { return {from[0], from[1]}; }
@@ -110,11 +111,12 @@ WireFrame geometry_frame(const GeometryChunk& chunk) {
     const auto unknown = structs(builder, chunk.unknown, box);
     const auto looks = structs(builder, chunk.looks, look);
     const auto images = structs(builder, chunk.images, image);
+    const auto unknown_in_mirrors = structs(builder, chunk.unknown_in_mirrors, box);
     return wire_frame(
         builder, wire::Report_Geometry,
         wire::CreateGeometry(builder, points, corners, rings, polygons, left_out_vector, chunk.last,
                              uvs, solids, solid_number_vector, steps, pieces, objects, unknown,
-                             looks, images));
+                             looks, images, unknown_in_mirrors));
 }
 
 WireFrame texels_frame(const TexelChunk& chunk) {

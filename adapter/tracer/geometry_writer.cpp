@@ -81,7 +81,7 @@ void GeometryWriter::send_if_full() {
     if (chunk_.points.size() < chunk_size && chunk_.corners.size() < chunk_size &&
         chunk_.solids.size() < chunk_solids && chunk_.steps.size() < 4 * chunk_size &&
         chunk_.pieces.size() < chunk_size && chunk_.unknown.size() < chunk_size &&
-        chunk_numbers_ < 4 * chunk_size)
+        chunk_.unknown_in_mirrors.size() < chunk_size && chunk_numbers_ < 4 * chunk_size)
         return;
     if (!chunk_.corner_uvs.empty()) chunk_.corner_uvs.resize(chunk_.corners.size());
     const auto left_out = std::exchange(chunk_.left_out, {});  // goes with the last chunk

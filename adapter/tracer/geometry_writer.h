@@ -31,6 +31,8 @@ class GeometryWriter {
     void add(const LookFacts& look) { chunk_.looks.push_back(look); }
     /// There is something in the box of which nothing more is known.
     void add_unknown(const BoxFacts& box) { chunk_.unknown.push_back(box); }
+    /// Mirrors do not show what is in the box as the eye sees it.
+    void add_unknown_in_mirrors(const BoxFacts& box) { chunk_.unknown_in_mirrors.push_back(box); }
     void add(const ImageSize& image) { chunk_.images.push_back(image); }
     void leave_out(const LeftOutFacts& object, unsigned count = 1) {
         chunk_.left_out[object] += count;

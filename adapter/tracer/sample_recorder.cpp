@@ -41,6 +41,7 @@ void SampleRecorder::begin(RayKind kind, bool shading, bool signature) {
     paused_ = 0;
     rays_ = 0;
     surface_ = 0;
+    reflected_surface_ = no_reflection;
     distance_ = 0;
     normal_ = pov::Vector3d(0, 0, 0);
     primary_ = lights_ = reflected_ = refracted_ = 0;
@@ -51,6 +52,7 @@ void SampleRecorder::begin(RayKind kind, bool shading, bool signature) {
 
 void SampleRecorder::finish(Sample& sample) const {
     sample.surface = surface_;
+    sample.reflected_surface = reflected_surface_;
     sample.depth = finite(distance_);
     sample.normal = rgb(normal_);
     sample.primary = fold(primary_);
@@ -91,6 +93,9 @@ void SampleRecorder::enter(const pov::Ray& ray, const pov::Intersection& hit, bo
                                                     : Branch::refracted;
         // What lies behind a mirror stays there, however the light goes on from it.
         node.branch = parent.branch == Branch::primary ? turn : parent.branch;
+        if (depth_ == 2 && rays_ == 1 && turn == Branch::reflected &&
+            reflected_surface_ == no_reflection)
+            reflected_surface_ = node.surface;
         node.path = mix(mix(parent.path, parent.surface), static_cast<std::uint64_t>(turn) + 1);
     }
     if (!signature_) return;

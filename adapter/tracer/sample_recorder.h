@@ -112,7 +112,7 @@ class SampleRecorder {
     bool filtered_ = false;
 
     unsigned rays_ = 0;  ///< from the eye
-    std::uint32_t surface_ = 0;
+    std::uint32_t surface_ = 0, reflected_surface_ = 0;
     double distance_ = 0;
     pov::Vector3d normal_;
     std::uint64_t primary_ = 0, lights_ = 0, reflected_ = 0, refracted_ = 0;

@@ -30,12 +30,15 @@ struct Rgb {
     float r = 0, g = 0, b = 0;
 };
 
+/// As Sample::no_reflection of core/oracle.h.
+constexpr std::uint32_t no_reflection = 0xffffffff;
+
 /// One sample in linear light; the fields are those of core/oracle.h.
 struct Sample {
     bool failed = false;
     Rgb light;
     float transmittance = 0;
-    std::uint32_t surface = 0;
+    std::uint32_t surface = 0, reflected_surface = 0;
     float depth = 0;
     Rgb normal;
     Rgb albedo, illumination, remainder;

@@ -41,10 +41,11 @@ bool is_transparent(const pov::TEXTURE* texture) {
     return true;
 }
 
+float grey(const pov::RGBColour& c) {
+    return static_cast<float>((c.red() + c.green() + c.blue()) / 3);
+}
+
 float reflection(const pov::FINISH& finish) {
-    const auto grey = [](const pov::RGBColour& c) {
-        return static_cast<float>((c.red() + c.green() + c.blue()) / 3);
-    };
     return std::clamp((grey(finish.Reflection_Max) + grey(finish.Reflection_Min)) / 2, 0.0f, 1.0f);
 }
 
@@ -68,6 +69,32 @@ float mirror_of(const pov::TEXTURE* texture) {
         if (any_bumpy) return bumpy;
     }
     return strongest;
+}
+
+/// The least that a finish reflects from anywhere. After Fresnel that is next to nothing.
+float least_reflection(const pov::FINISH& finish) {
+    if (finish.Reflection_Type != 0) return 0;
+    return std::min(grey(finish.Reflection_Max), grey(finish.Reflection_Min));
+}
+
+/// The least that a texture reflects anywhere.
+float least_mirror_of(const pov::TEXTURE* texture) {
+    float strongest = 0;
+    for (; texture != nullptr; texture = next_layer(texture)) {
+        float least = 1;
+        bool any = false;
+        const auto choose = [&](float reflected) {
+            any = true;
+            least = std::min(least, reflected);
+        };
+        if (texture->Type != pov::PLAIN_PATTERN)
+            for_each_choice(*texture,
+                            [&](const pov::TEXTURE* choice) { choose(least_mirror_of(choice)); });
+        else if (texture->Finish != nullptr)
+            choose(least_reflection(*texture->Finish));
+        if (any) strongest = std::max(strongest, least);
+    }
+    return std::clamp(strongest, 0.0f, 1.0f);
 }
 
 // ---- content
@@ -188,6 +215,9 @@ Look SurfaceLooks::look(const Surface& surface) {
     if (is_new) {
         new_.push_back(drawable_.look(object, textures));
         new_.back().material = look.material;
+        float& mirror = new_.back().mirror = textures.empty() || bumpy ? 0.0f : 1.0f;
+        for (const pov::TEXTURE* texture : textures)
+            mirror = std::min(mirror, least_mirror_of(texture));
     }
     return look;
 }

@@ -88,9 +88,10 @@ Frame answer_frame(const Slice& slice, const std::vector<Sample>& samples) {
     const auto light = parts<wire::Light>(builder, wanted.light, samples, [](const Sample& s) {
         return wire::Light(vec3f(s.light), s.transmittance);
     });
-    const auto surface = parts<wire::Surface>(
-        builder, wanted.surface, samples,
-        [](const Sample& s) { return wire::Surface(s.surface, s.depth, vec3f(s.normal)); });
+    const auto surface =
+        parts<wire::Surface>(builder, wanted.surface, samples, [](const Sample& s) {
+            return wire::Surface(s.surface, s.reflected_surface, s.depth, vec3f(s.normal));
+        });
     const auto shading =
         parts<wire::Shading>(builder, wanted.shading, samples, [](const Sample& s) {
             return wire::Shading(vec3f(s.albedo), vec3f(s.illumination), vec3f(s.remainder));

@@ -123,7 +123,8 @@ class CurvedDrawing {
         const Mask within = all_lanes >> (ray_lanes - count);
         for (std::uint32_t p = 0; p < object_.pieces; ++p) {
             const auto slot = static_cast<std::size_t>(piece_slots_[p]);
-            find_roots_of(slot, steps_[p].empty());
+            // After a mirror the nearest may lie before it.
+            find_roots_of(slot, steps_[p].empty() && !rays_.after_mirror);
             for (const RayLanes& roots : roots_) {
                 find_nearness(rays_.orthographic, roots, nearness_);
                 const Mask seen = within & nearer(nearness_, canvas_.nearness_from(first));
@@ -245,10 +246,11 @@ bool sound(const DrawableScene& scene, const CurvedObject& object) {
     return true;
 }
 
-/// The depth at which a pixel's ray enters a box; nothing (an empty interval) where it misses.
-bool enters(const PixelRays& rays, const Bounds& box, glm::dvec2 pixel, double& depth) {
+/// The depths at which a pixel's ray enters and leaves a box; false where it misses.
+bool crosses(const PixelRays& rays, const Bounds& box, glm::dvec2 pixel, double& first,
+             double& last) {
     const glm::dvec3 from = rays.point(pixel, 0), along = rays.point(pixel, 1) - from;
-    double first = 0, last = std::numeric_limits<double>::infinity();
+    first = 0, last = std::numeric_limits<double>::infinity();
     for (int k = 0; k < 3; ++k) {
         if (along[k] == 0) {
             if (from[k] < box.low[k] || from[k] > box.high[k]) return false;
@@ -258,18 +260,20 @@ bool enters(const PixelRays& rays, const Bounds& box, glm::dvec2 pixel, double& 
         first = std::max(first, std::min(a, b));
         last = std::min(last, std::max(a, b));
     }
-    depth = first;
     return first <= last;
 }
 
 void hide_behind(const Bounds& box, const PixelRays& rays, ItemCanvas& canvas) {
-    const PixelBox pixels = pixel_box(rays, box, canvas.width(), canvas.height());
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    const PixelBox pixels =
+        common_box(pixel_box(rays, box, canvas.width(), canvas.height()), canvas.area());
     for (int y = pixels.top; y < pixels.bottom; ++y)
         for (int x = pixels.left; x < pixels.right; ++x) {
-            double depth = 0;
-            if (!enters(rays, box, {x + .5, y + .5}, depth)) continue;
-            canvas.hide(canvas.index(x, y),
-                        depth > 0 ? rays.nearness(depth) : std::numeric_limits<double>::infinity());
+            double first = 0, last = 0;
+            if (!crosses(rays, box, {x + .5, y + .5}, first, last)) continue;
+            const std::size_t pixel = canvas.index(x, y);
+            if (last < infinity && canvas.too_near(pixel, rays.nearness(last))) continue;
+            canvas.hide(pixel, first > 0 ? rays.nearness(first) : infinity);
         }
 }
 
@@ -283,10 +287,14 @@ void draw_curved(const DrawableScene& scene, const PixelRays& rays, ItemCanvas& 
             unknown.push_back(object.bounds);
             continue;
         }
-        const PixelBox box = pixel_box(rays, object.bounds, canvas.width(), canvas.height());
+        const PixelBox box = common_box(
+            pixel_box(rays, object.bounds, canvas.width(), canvas.height()), canvas.area());
         if (!CurvedDrawing(scene, object, rays, canvas).draw(box, stop))
             unknown.push_back(object.bounds);
     }
+    if (rays.after_mirror)
+        unknown.insert(unknown.end(), scene.unknown_in_mirrors.begin(),
+                       scene.unknown_in_mirrors.end());
     for (const Bounds& box : unknown)
         if (!stop) hide_behind(box, rays, canvas);
 }

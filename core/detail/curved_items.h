@@ -9,8 +9,8 @@
 namespace povpreview {
 
 /// Draws the curved objects, by the rays of the pixels that may show them, and then hides what the
-/// scene's unknown boxes may hide. An object that would take too long is taken for unknown. Ends
-/// early when `stop` is set.
+/// scene's unknown boxes may hide from those rays. An object that would take too long is taken for
+/// unknown. Ends early when `stop` is set.
 void draw_curved(const DrawableScene& scene, const PixelRays& rays, ItemCanvas& canvas,
                  const std::atomic<bool>& stop);
 

@@ -42,11 +42,21 @@ void DetailMap::forget_albedo(Pixel pixel) {
 void DetailMap::accept(const ItemBuffer& drawn, ItemNumbers& numbers) {
     assert(drawn.width == width_ && drawn.height == height_);
     // Neighbours mostly show the same surface.
-    std::uint32_t last_surface = ItemBuffer::unknown, last_item = unknown;
+    std::uint32_t last_surface = ItemBuffer::unknown, last_mirrored = 0, last_item = unknown;
+    bool is_mirror = false;
     for (Pixel pixel = 0; pixel < items_.size(); ++pixel) {
         const std::uint32_t surface = drawn.surfaces[pixel];
         if (told_[pixel] || surface == ItemBuffer::unknown) continue;
-        if (surface != last_surface) last_item = numbers.of(last_surface = surface);
+        if (surface != last_surface) {
+            is_mirror = numbers.is_mirror(surface);
+            if (!is_mirror) last_item = numbers.of(surface);
+        }
+        if (is_mirror && (surface != last_surface || drawn.mirrored[pixel] != last_mirrored)) {
+            last_mirrored = drawn.mirrored[pixel];
+            last_item =
+                last_mirrored == ItemBuffer::unknown ? unknown : numbers.of(surface, last_mirrored);
+        }
+        last_surface = surface;
         set_item(pixel, last_item);
         switch (drawn.kinds[pixel]) {
             case Look::Kind::plain:
@@ -66,7 +76,14 @@ void DetailMap::accept(const ItemBuffer& drawn, ItemNumbers& numbers) {
 void DetailMap::accept_albedo(Pixel pixel, const Sample& sample, ItemNumbers& numbers) {
     told_[pixel] = true;
     const bool usable = !sample.failed && finite(sample.albedo);
-    set_item(pixel, usable ? numbers.of(sample.surface) : unknown);
+    // What a mirror shows such a ray does not tell.
+    const std::uint32_t before = items_[pixel];
+    if (!usable)
+        set_item(pixel, unknown);
+    else if (!numbers.is_mirror(sample.surface))
+        set_item(pixel, numbers.of(sample.surface));
+    else if (before != unknown && numbers.surface(before) != sample.surface)
+        set_item(pixel, unknown);
     if (usable)
         set_albedo(pixel, sample.albedo);
     else

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <unordered_map>
@@ -12,17 +13,31 @@
 
 namespace povpreview {
 
-/// Numbers surfaces from 0 on, in the order in which they are met: an item is a surface by number.
+/// Numbers from 0 on, in the order in which they are met, surfaces, and of mirrors each surface
+/// that is seen in them: an item is such a number.
 class ItemNumbers {
    public:
-    std::uint32_t of(std::uint32_t surface) {
-        return numbers_.try_emplace(surface, static_cast<std::uint32_t>(numbers_.size()))
-            .first->second;
+    /// Surfaces whose items are told apart by what they reflect, ascending. Numbers that a surface
+    /// had before are no more given for it.
+    void set_mirrors(std::vector<std::uint32_t> mirrors) { mirrors_ = std::move(mirrors); }
+    bool is_mirror(std::uint32_t surface) const {
+        return std::binary_search(mirrors_.begin(), mirrors_.end(), surface);
     }
-    std::size_t size() const { return numbers_.size(); }
+    /// `reflected` tells only of mirrors; as Sample::reflected_surface.
+    std::uint32_t of(std::uint32_t surface, std::uint32_t reflected = Sample::no_reflection) {
+        const std::uint64_t seen = is_mirror(surface) ? reflected : Sample::no_reflection;
+        const auto next = static_cast<std::uint32_t>(surfaces_.size());
+        const auto [found, is_new] = numbers_.try_emplace(seen << 32 | surface, next);
+        if (is_new) surfaces_.push_back(surface);
+        return found->second;
+    }
+    std::size_t size() const { return surfaces_.size(); }
+    std::uint32_t surface(std::uint32_t item) const { return surfaces_[item]; }
 
    private:
-    std::unordered_map<std::uint32_t, std::uint32_t> numbers_;
+    std::unordered_map<std::uint64_t, std::uint32_t> numbers_;
+    std::vector<std::uint32_t> surfaces_;  // by item
+    std::vector<std::uint32_t> mirrors_;
 };
 
 /// What is known of each pixel without a full sample of it: the surface that is seen there, and
@@ -42,7 +57,7 @@ class DetailMap {
     /// Nothing is known.
     DetailMap(int width, int height);
 
-    /// Takes what was drawn, but where rays have told already. Sizes must agree.
+    /// Takes what was drawn, but where rays have told already. Sizes must agree, and mirrors.
     void accept(const ItemBuffer& drawn, ItemNumbers& numbers);
     /// Takes an albedo ray through a pixel's centre.
     void accept_albedo(Pixel pixel, const Sample& sample, ItemNumbers& numbers);

@@ -118,6 +118,9 @@ struct Look {
     Kind kind = Kind::mixed;
     ImageLook image;        ///< Kind::image
     PatternLook pattern{};  ///< Kind::pattern
+    /// Share of light that it reflects at least, 0..1, where its surface is flat as a flat mirror
+    /// does; 0 if anything bends the light.
+    float mirror = 0;
 };
 
 /// An image as the ray tracer holds it: in the scene's working gamma, row by row from the top.
@@ -140,6 +143,8 @@ struct DrawableScene {
     /// Objects that cannot be drawn exactly, as boxes around them: what is not nearer than such a
     /// box is not known.
     std::vector<Bounds> unknown;
+    /// The same of objects that mirrors do not show as the eye sees them.
+    std::vector<Bounds> unknown_in_mirrors;
 
     std::vector<Look> looks;  ///< by material; a material beyond its end is mixed
     std::vector<ImageTexels> images;

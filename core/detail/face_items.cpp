@@ -47,9 +47,9 @@ double crossing(const glm::dvec2& a, const glm::dvec2& b, double y) {
     return p.x + (y - p.y) / (q.y - p.y) * (q.x - p.x);
 }
 
-/// First pixel of which the centre does not lie before `x`, kept within [0, limit].
-int first_from(double x, int limit) {
-    return static_cast<int>(std::clamp(std::ceil(x - .5), 0., double(limit)));
+/// First pixel of which the centre does not lie before `x`, kept within [first, last].
+int first_from(double x, int first, int last) {
+    return static_cast<int>(std::clamp(std::ceil(x - .5), double(first), double(last)));
 }
 
 void draw_polygon(const std::vector<glm::dvec2>& corners, const Nearness& plane,
@@ -59,8 +59,9 @@ void draw_polygon(const std::vector<glm::dvec2>& corners, const Nearness& plane,
         top = std::min(top, p.y);
         bottom = std::max(bottom, p.y);
     }
-    const int last = first_from(bottom, canvas.height());
-    for (int y = first_from(top, canvas.height()); y < last; ++y) {
+    const PixelBox& area = canvas.area();
+    const int last = first_from(bottom, area.top, area.bottom);
+    for (int y = first_from(top, area.top, area.bottom); y < last; ++y) {
         const double row = y + .5;
         double left = std::numeric_limits<double>::infinity(), right = -left;
         for (std::size_t i = 0, j = corners.size() - 1; i < corners.size(); j = i++) {
@@ -70,8 +71,8 @@ void draw_polygon(const std::vector<glm::dvec2>& corners, const Nearness& plane,
             right = std::max(right, x);
         }
         if (!(left <= right)) continue;
-        const int end = first_from(right, canvas.width());
-        for (int x = first_from(left, canvas.width()); x < end; ++x)
+        const int end = first_from(right, area.left, area.right);
+        for (int x = first_from(left, area.left, area.right); x < end; ++x)
             canvas.draw(canvas.index(x, y), plane.base + plane.across * (x + .5) + plane.down * row,
                         source);
     }
@@ -85,7 +86,8 @@ void draw_faces(const PolygonScene& scene, const PixelRays& rays, ItemCanvas& ca
     std::vector<glm::dvec2> corners;
     for (std::size_t f = 0; f < scene.faces.size() && !stop; ++f) {
         const Face& face = scene.faces[f];
-        if (!face.visible || face.count < 3) continue;
+        const bool seen = rays.after_mirror ? face.reflected : face.visible;
+        if (!seen || face.count < 3) continue;
         clipped.clear();
         for (std::size_t i = 0; i < face.count; ++i)
             clipped.push_back(rays.project(scene.corner(face, i)));

@@ -8,8 +8,8 @@
 
 namespace povpreview {
 
-/// Draws the visible faces: a pixel shows a face if its centre does. Of two faces that share an
-/// edge exactly one takes a centre on it. Ends early when `stop` is set.
+/// Draws the faces that the rays see: a pixel shows a face if its centre does. Of two faces that
+/// share an edge exactly one takes a centre on it. Ends early when `stop` is set.
 void draw_faces(const PolygonScene& scene, const PixelRays& rays, ItemCanvas& canvas,
                 const std::atomic<bool>& stop);
 

@@ -22,6 +22,12 @@ struct ItemBuffer {
     std::vector<Look::Kind> kinds;        ///< of the surface's look at the pixel; unknown: mixed
     /// Linear, where the kind is `image`; empty where it is so nowhere.
     std::vector<glm::vec3> albedos;
+
+    /// Surfaces that are flat mirrors, ascending: their pixels are told apart by what they mirror.
+    std::vector<std::uint32_t> mirrors{};
+    /// Where the surface is one of them, the surface that is seen in it, background or unknown;
+    /// empty where there are none.
+    std::vector<std::uint32_t> mirrored{};
 };
 
 }  // namespace povpreview

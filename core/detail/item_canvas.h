@@ -6,9 +6,14 @@
 #include <limits>
 #include <vector>
 
+#include "core/detail/pixel_rays.h"
+
 namespace povpreview {
 
 /// A depth buffer with what was drawn into it. Nearness: see PixelRays::nearness().
+///
+/// One for what a mirror shows is closed but for the mirror's own pixels, and takes there only what
+/// lies behind the mirror's plane as rays go on from it.
 class ItemCanvas {
    public:
     /// What a pixel shows: the number of a face, that of a curved piece with this bit set, or one
@@ -24,7 +29,33 @@ class ItemCanvas {
           height_(height),
           nearness_(std::size_t(width) * std::size_t(height) + read_beyond,
                     -std::numeric_limits<double>::infinity()),
-          sources_(nearness_.size(), nothing) {}
+          sources_(nearness_.size(), nothing),
+          area_{0, 0, width, height} {}
+
+    /// Pixels outside of it take nothing.
+    const PixelBox& area() const { return area_; }
+    /// Closes all pixels; those within the area are to be opened.
+    void close_all(const PixelBox& area) {
+        limits_.resize(nearness_.size());
+        for (int y = area_.top; y < area_.bottom; ++y)  // beyond it they are closed
+            for (std::size_t pixel = index(0, y); pixel < index(0, y + 1); ++pixel) {
+                nearness_[pixel] = std::numeric_limits<double>::infinity();
+                sources_[pixel] = unknown;
+                limits_[pixel] = -std::numeric_limits<double>::infinity();
+            }
+        ties_.clear();
+        area_ = area;
+    }
+    /// What is no farther than the limit is not drawn.
+    void open(std::size_t pixel, double limit) {
+        nearness_[pixel] = -std::numeric_limits<double>::infinity();
+        sources_[pixel] = nothing;
+        limits_[pixel] = limit - coincidence * std::abs(limit);
+    }
+    /// Whether something with this nearness is too near to be drawn.
+    bool too_near(std::size_t pixel, double nearness) const {
+        return !limits_.empty() && !(nearness < limits_[pixel]);
+    }
 
     int width() const { return width_; }
     int height() const { return height_; }
@@ -37,7 +68,7 @@ class ItemCanvas {
     /// Draws where it is nearer than what is there. Of two that coincide none is known to be seen.
     void draw(std::size_t pixel, double nearness, Source source) {
         const double before = nearness_[pixel], slack = coincidence * std::abs(nearness);
-        if (!(nearness > before - slack)) return;
+        if (!(nearness > before - slack) || too_near(pixel, nearness)) return;
         if (nearness <= before + slack) {
             const bool same = sources_[pixel] == source;
             if (!same) ties_.push_back({pixel, nearness, sources_[pixel], source});
@@ -48,6 +79,7 @@ class ItemCanvas {
     }
     /// Hides what is not nearer than this behind something unknown.
     void hide(std::size_t pixel, double nearness) {
+        if (too_near(pixel, nearness)) nearness = limits_[pixel];
         if (nearness < nearness_[pixel]) return;
         nearness_[pixel] = nearness;
         sources_[pixel] = unknown;
@@ -70,7 +102,9 @@ class ItemCanvas {
     int width_, height_;
     std::vector<double> nearness_;
     std::vector<Source> sources_;
+    std::vector<double> limits_;  // by pixel, of a mirror's canvas
     std::vector<Tie> ties_;
+    PixelBox area_;
 };
 
 }  // namespace povpreview

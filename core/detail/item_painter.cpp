@@ -7,6 +7,8 @@
 #include "core/detail/curved_items.h"
 #include "core/detail/face_items.h"
 #include "core/detail/image_look.h"
+#include "core/detail/item_sources.h"
+#include "core/detail/mirrored_items.h"
 #include "core/detail/pattern_look.h"
 
 namespace povpreview {
@@ -30,35 +32,24 @@ class Reading {
         for (int y = 0; y < result_.height; ++y)
             for (int x = 0; x < result_.width; ++x) read(x, y);
         for (const ItemCanvas::Tie& tie : canvas_.ties())
-            if (canvas_.stands(tie) && surface(tie.first) != surface(tie.second)) forget(tie.pixel);
+            if (canvas_.stands(tie) &&
+                surface_of(scene_, tie.first) != surface_of(scene_, tie.second))
+                forget(tie.pixel);
         return std::move(result_);
     }
 
    private:
-    std::uint32_t surface(Source source) const {
-        if (source == ItemCanvas::nothing) return ItemBuffer::background;
-        if (source == ItemCanvas::unknown) return ItemBuffer::unknown;
-        if (source & ItemCanvas::piece_bit)
-            return scene_.pieces[source & ~ItemCanvas::piece_bit].surface;
-        return scene_.polygons.faces[source].surface;
-    }
-    std::uint32_t material(Source source) const {
-        if (source & ItemCanvas::piece_bit)
-            return scene_.pieces[source & ~ItemCanvas::piece_bit].material;
-        return scene_.polygons.faces[source].material;
-    }
-
     void read(int x, int y) {
         const std::size_t pixel = canvas_.index(x, y);
         const Source source = canvas_.source(pixel);
-        result_.surfaces[pixel] = surface(source);
+        result_.surfaces[pixel] = surface_of(scene_, source);
         if (source == ItemCanvas::unknown) return;
         if (source == ItemCanvas::nothing) {
             // A sky may be of any colour, and nothing tells it apart from light.
             result_.kinds[pixel] = Look::Kind::plain;
             return;
         }
-        const std::uint32_t number = material(source);
+        const std::uint32_t number = material_of(scene_, source);
         if (number >= scene_.looks.size()) return;
         const Look& look = scene_.looks[number];
         result_.kinds[pixel] = look.kind;
@@ -143,7 +134,9 @@ ItemBuffer paint_items(const DrawableScene& scene, const std::atomic<bool>& stop
         draw_faces(polygons, rays, canvas, stop);
         draw_curved(scene, rays, canvas, stop);
     }
-    return Reading(scene, rays, canvas).read();
+    ItemBuffer items = Reading(scene, rays, canvas).read();
+    if (rays.valid) paint_mirrored(scene, rays, canvas, stop, items);
+    return items;
 }
 
 }  // namespace povpreview

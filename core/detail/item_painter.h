@@ -9,7 +9,8 @@ namespace povpreview {
 
 /// What each pixel's centre shows of a scene, found without tracing: polygons are rasterised,
 /// curved objects are met by the pixels' rays, and images are looked up where they are seen. Where
-/// two surfaces coincide, and where the data makes no sense, the surface is unknown.
+/// two surfaces coincide, and where the data makes no sense, the surface is unknown. Flat mirrors
+/// are painted with what they show.
 ///
 /// Everything is computed in double precision on the calling thread, since fragment shaders proved
 /// to be slower where there is no GPU, and no faster than needed where there is one. Equal scenes

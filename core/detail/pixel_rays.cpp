@@ -43,6 +43,19 @@ PixelRays::PixelRays(const StraightCamera& camera) {
     valid = finite(origin) && finite(along) && finite(across) && finite(down);
 }
 
+PixelRays PixelRays::reflected(const MirrorPlane& mirror) const {
+    const auto turn = [&mirror](glm::dvec3& v) {
+        v -= 2 * glm::dot(mirror.normal, v) * mirror.normal;
+    };
+    PixelRays result = *this;
+    result.after_mirror = !after_mirror;
+    result.origin -= 2 * glm::dot(mirror.normal, origin - mirror.through) * mirror.normal;
+    for (glm::dvec3* v : {&result.along, &result.across, &result.down, &result.row_x_,
+                          &result.row_y_, &result.row_depth_})
+        turn(*v);
+    return result;
+}
+
 Projected PixelRays::project(const glm::dvec3& p) const {
     const glm::dvec3 from_origin = p - origin;
     const double depth = glm::dot(row_depth_, from_origin);
@@ -93,6 +106,11 @@ void clip_to_view(std::vector<Projected>& polygon, int width, int height) {
     cut(polygon, [&](const Projected& p) { return x1 * p.w - p.x; });
     cut(polygon, [&](const Projected& p) { return p.y - y0 * p.w; });
     cut(polygon, [&](const Projected& p) { return y1 * p.w - p.y; });
+}
+
+PixelBox common_box(const PixelBox& a, const PixelBox& b) {
+    return {std::max(a.left, b.left), std::max(a.top, b.top), std::min(a.right, b.right),
+            std::min(a.bottom, b.bottom)};
 }
 
 PixelBox pixel_box(const PixelRays& rays, const Bounds& bounds, int width, int height) {

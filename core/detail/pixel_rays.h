@@ -18,6 +18,11 @@ struct Projected {
     glm::dvec2 pixel() const { return {x / w, y / w}; }
 };
 
+/// Through a point, across a normal of unit length.
+struct MirrorPlane {
+    glm::dvec3 through{}, normal{};
+};
+
 /// A camera turned around: the points that a place of the image shows, by depth.
 ///
 ///     perspective:  origin + depth (along + px across + py down)
@@ -25,9 +30,14 @@ struct Projected {
 struct PixelRays {
     explicit PixelRays(const StraightCamera& camera);
 
+    /// The same rays after a mirror: they come from the eye's mirror image, and are where the eye's
+    /// rays are after the same depth once those are reflected.
+    PixelRays reflected(const MirrorPlane& mirror) const;
+
     /// Whether the camera could be turned around; if not, nothing else here means anything.
     bool valid = false;
     bool orthographic = false;
+    bool after_mirror = false;
     glm::dvec3 origin{}, along{}, across{}, down{};
 
     Projected project(const glm::dvec3& p) const;
@@ -55,6 +65,8 @@ void clip_to_view(std::vector<Projected>& polygon, int width, int height);
 struct PixelBox {
     int left = 0, top = 0, right = 0, bottom = 0;
 };
+
+PixelBox common_box(const PixelBox& a, const PixelBox& b);
 
 /// The pixels that may show something within the bounds.
 PixelBox pixel_box(const PixelRays& rays, const Bounds& bounds, int width, int height);

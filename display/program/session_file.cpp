@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view magic = "povpreview session 1\n";
+constexpr std::string_view magic = "povpreview session 2\n";
 constexpr std::size_t largest_chunk = std::size_t{1} << 28, chunk_wanted = std::size_t{1} << 20;
 constexpr std::chrono::milliseconds interval{700};
 

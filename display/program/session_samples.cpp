@@ -25,6 +25,7 @@ void visit(SampleOrConst& sample, const Visit& value) {
     }
     if (!full || contains(parts, Parts::surface)) {
         value(sample.surface);
+        value(sample.reflected_surface);
         value(sample.depth);
         value(sample.normal);
     }

@@ -23,6 +23,7 @@ inline Sample sample_at(const glm::dvec2& p) {
     Sample s;
     s.position = p;
     s.surface = surface_at(p);
+    s.reflected_surface = s.surface + 5;
     const auto id = static_cast<float>(s.surface);
     s.transmittance = s.surface ? 0.F : 1.F;
     s.albedo = {.25F * id, .5F, 1 - .25F * id};
@@ -50,6 +51,7 @@ inline Sample sample_at(const glm::dvec2& p, RayKind kind, Parts parts) {
     }
     if (!full || contains(parts, Parts::surface)) {
         s.surface = all.surface;
+        if (kind != RayKind::albedo) s.reflected_surface = all.reflected_surface;
         s.depth = all.depth;
         s.normal = all.normal;
     }

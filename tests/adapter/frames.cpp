@@ -81,7 +81,7 @@ Bytes answer_frame(const Slice& slice) {
     std::vector<std::uint32_t> cost;
     for (const Sample& s : slice.samples) {
         light.emplace_back(vec3f(s.colour), s.transmittance);
-        surface.emplace_back(s.surface, s.depth, vec3f(s.normal));
+        surface.emplace_back(s.surface, s.reflected_surface, s.depth, vec3f(s.normal));
         shading.emplace_back(vec3f(s.albedo), vec3f(s.illumination), vec3f(s.remainder));
         const Signature& t = s.signature;
         signature.emplace_back(t.primary, t.lights, t.reflected, t.refracted);
@@ -156,6 +156,9 @@ Bytes geometry_frame(const Geometry& geometry, bool last) {
     for (const CurvedObject& o : geometry.objects) objects.emplace_back(box(o.bounds), o.pieces);
     std::vector<wire::Box> unknown;
     for (const Bounds& bounds : geometry.unknown) unknown.push_back(box(bounds));
+    std::vector<wire::Box> unknown_in_mirrors;
+    for (const Bounds& bounds : geometry.unknown_in_mirrors)
+        unknown_in_mirrors.push_back(box(bounds));
     std::vector<wire::Look> looks;
     const auto colour = [](const glm::vec3& c) { return wire::Vec3f(c.r, c.g, c.b); };
     const auto pattern_of = [&](const PatternLook& p) {
@@ -163,12 +166,13 @@ Bytes geometry_frame(const Geometry& geometry, bool last) {
                              colour(p.colours[2]), static_cast<wire::PatternKind>(p.kind));
     };
     for (const auto& [material, look] : geometry.looks)
-        looks.emplace_back(
-            frame_of(look.kind == Look::Kind::pattern ? look.pattern.to_pattern
-                                                      : look.image.to_map),
-            pattern_of(look.pattern), material, look.image.image,
-            static_cast<wire::LookKind>(look.kind), static_cast<wire::Mapping>(look.image.mapping),
-            static_cast<wire::Interpolation>(look.image.interpolation), look.image.once);
+        looks.emplace_back(frame_of(look.kind == Look::Kind::pattern ? look.pattern.to_pattern
+                                                                     : look.image.to_map),
+                           pattern_of(look.pattern), material, look.image.image,
+                           static_cast<wire::LookKind>(look.kind),
+                           static_cast<wire::Mapping>(look.image.mapping),
+                           static_cast<wire::Interpolation>(look.image.interpolation),
+                           look.image.once, look.mirror);
     std::vector<wire::ImageSize> images;
     for (const ImageTexels& image : geometry.images) images.emplace_back(image.width, image.height);
     std::vector<flatbuffers::Offset<wire::LeftOut>> left_out;
@@ -179,7 +183,7 @@ Bytes geometry_frame(const Geometry& geometry, bool last) {
         b, wire::Report::Geometry,
         wire::CreateGeometryDirect(b, &points, &geometry.corners, &rings, &polygons, &left_out,
                                    last, &uvs, &solids, &numbers, &geometry.conditions, &pieces,
-                                   &objects, &unknown, &looks, &images)
+                                   &objects, &unknown, &looks, &images, &unknown_in_mirrors)
             .Union());
 }
 
@@ -219,6 +223,7 @@ void add_curved_part(Geometry& geometry) {
     geometry.pieces = {{0, 501, 1, 0, 4}, {1, 502, 2, 4, 1}, {2, 503, 1, 5, 0}};
     geometry.objects = {{{{-1, -1, -1}, {1, 1, 1}}, 0, 2}, {{{0, 0, 0}, {infinity, 2, 2}}, 2, 1}};
     geometry.unknown = {{{-infinity, 0, 0}, {infinity, 1, 1}}};
+    geometry.unknown_in_mirrors = {{{2, 2, 2}, {3, 3, 3}}, {{4, 4, 4}, {5, 5, 5}}};
     Look image{Look::Kind::image, {}};
     image.image = {0, ImageLook::Mapping::toroidal, ImageLook::Interpolation::bicubic, true, frame};
     Look bricks{Look::Kind::pattern, {}};
@@ -227,6 +232,7 @@ void add_curved_part(Geometry& geometry) {
                       {8, 3, 4.5},
                       .25,
                       frame};
+    bricks.mirror = .25f;
     geometry.looks = {
         {1, {Look::Kind::plain, {}}}, {2, image}, {3, {Look::Kind::traced, {}}}, {4, bricks}};
     geometry.images = {{3, 2, {}}};

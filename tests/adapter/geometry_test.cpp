@@ -52,6 +52,9 @@ void expect_equal_solids(const Geometry& a, const Geometry& b) {
     }
     ASSERT_EQ(a.unknown.size(), b.unknown.size());
     for (std::size_t i = 0; i < a.unknown.size(); ++i) expect_equal(a.unknown[i], b.unknown[i]);
+    ASSERT_EQ(a.unknown_in_mirrors.size(), b.unknown_in_mirrors.size());
+    for (std::size_t i = 0; i < a.unknown_in_mirrors.size(); ++i)
+        expect_equal(a.unknown_in_mirrors[i], b.unknown_in_mirrors[i]);
 }
 
 void expect_equal_looks(const Geometry& a, const Geometry& b) {
@@ -60,8 +63,10 @@ void expect_equal_looks(const Geometry& a, const Geometry& b) {
         EXPECT_EQ(a.looks[i].material, b.looks[i].material);
         const Look &p = a.looks[i].look, &q = b.looks[i].look;
         EXPECT_EQ(p.kind, q.kind);
-        EXPECT_EQ(std::tie(p.image.image, p.image.mapping, p.image.interpolation, p.image.once),
-                  std::tie(q.image.image, q.image.mapping, q.image.interpolation, q.image.once));
+        EXPECT_EQ(
+            std::tie(p.image.image, p.image.mapping, p.image.interpolation, p.image.once, p.mirror),
+            std::tie(q.image.image, q.image.mapping, q.image.interpolation, q.image.once,
+                     q.mirror));
         EXPECT_EQ(p.image.to_map, q.image.to_map);
         EXPECT_EQ(p.pattern.kind, q.pattern.kind);
         EXPECT_EQ(p.pattern.colours, q.pattern.colours);

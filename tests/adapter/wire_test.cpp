@@ -190,6 +190,7 @@ TEST(Wire, AnAnswerCarriesWhatItsKindBrings) {
                 const Sample expected = fake::sample_at(sample.position, kind, parts);
                 EXPECT_EQ(sample.colour, expected.colour);
                 EXPECT_EQ(sample.surface, expected.surface);
+                EXPECT_EQ(sample.reflected_surface, expected.reflected_surface);
                 EXPECT_EQ(sample.albedo, expected.albedo);
                 EXPECT_EQ(sample.remainder, expected.remainder);
                 EXPECT_EQ(sample.signature, expected.signature);

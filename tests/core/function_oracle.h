@@ -21,6 +21,11 @@ struct FunctionImage {
     /// What the light on the first surface is multiplied by.
     std::function<glm::vec3(glm::dvec2)> albedo = [](glm::dvec2) { return glm::vec3(1); };
 
+    /// What is seen in the first surface (Sample::reflected_surface).
+    std::function<std::uint32_t(glm::dvec2)> reflected = [](glm::dvec2) {
+        return Sample::no_reflection;
+    };
+
     /// What rays cost; 0: not known, and so not worth a guess.
     std::uint32_t full_ns = 0, albedo_ns = 0;
 
@@ -34,6 +39,7 @@ struct FunctionImage {
         if (sample.failed) return sample;
         sample.surface = surface(request.position);
         sample.signature.primary = sample.surface;
+        if (request.kind != RayKind::albedo) sample.reflected_surface = reflected(request.position);
         if (request.kind != RayKind::probe) sample.albedo = albedo(request.position);
         if (request.kind != RayKind::full) return sample;
         sample.colour = colour(request.position);

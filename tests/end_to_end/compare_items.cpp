@@ -11,8 +11,12 @@
 //     beyond     ... and those that show neither
 //     albedo     pixels whose albedo is drawn; of these, right within .01: agree
 //     plain      pixels said to be of one colour all over; of these, of their surface's: agree
+//     mirror     pixels of which it is known what a mirror shows there, of probes; of these, of
+//     inner
+//                ones as above, right: agree; and those at edges and beyond that are not: off
 //     ms         painting took, on one thread; of full samples, of albedo rays: as a share of the
 //                time that a thread takes to trace as many
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cstdio>
@@ -47,7 +51,11 @@ struct Agreement {
     std::size_t at_edges = 0, beyond = 0;
     std::size_t images = 0, images_right = 0;
     std::size_t plain = 0, plain_right = 0;
-    bool reaches(double target) const { return inner == 0 || share(inner_right, inner) >= target; }
+    std::size_t mirrored = 0, mirrored_inner = 0, mirrored_inner_right = 0, mirrored_off = 0;
+    bool reaches(double target) const {
+        return (inner == 0 || share(inner_right, inner) >= target) &&
+               (mirrored_inner == 0 || share(mirrored_inner_right, mirrored_inner) >= target);
+    }
 };
 
 struct Line {
@@ -55,15 +63,19 @@ struct Line {
     double painting = 0, of_full = 0, of_albedo = 0;
 };
 
-/// Painted and traced side by side.
+/// Painted and traced side by side; `probes` are empty if there are no mirrors.
 class Comparison {
    public:
-    Comparison(const ItemBuffer& painted, const std::vector<Sample>& traced, int verbosity)
-        : painted_(painted), traced_(traced), left_to_tell_(verbosity) {}
+    Comparison(const ItemBuffer& painted, const std::vector<Sample>& traced,
+               const std::vector<Sample>& probes, int verbosity)
+        : painted_(painted), traced_(traced), probes_(probes), left_to_tell_(verbosity) {}
 
     Agreement compare() {
         for (int y = 0; y < painted_.height; ++y)
-            for (int x = 0; x < painted_.width; ++x) compare(x, y);
+            for (int x = 0; x < painted_.width; ++x) {
+                compare(x, y);
+                if (!probes_.empty()) compare_mirrored(x, y);
+            }
         return result_;
     }
 
@@ -94,6 +106,30 @@ class Comparison {
         if (!near || inner) tell(x, y, surface);
     }
 
+    void compare_mirrored(int x, int y) {
+        const auto at = static_cast<std::size_t>(y * painted_.width + x);
+        const std::uint32_t surface = painted_.surfaces[at], mirrored = painted_.mirrored[at];
+        const Sample& sample = probes_[at];
+        if (sample.failed || mirrored == ItemBuffer::unknown || surface != sample.surface ||
+            !std::binary_search(painted_.mirrors.begin(), painted_.mirrors.end(), surface))
+            return;
+        ++result_.mirrored;
+        bool inner = true;
+        for (int j = std::max(y - 1, 0); j <= std::min(y + 1, painted_.height - 1); ++j)
+            for (int i = std::max(x - 1, 0); i <= std::min(x + 1, painted_.width - 1); ++i) {
+                const Sample& near = probes_[static_cast<std::size_t>(j * painted_.width + i)];
+                inner = inner && near.surface == sample.surface &&
+                        near.reflected_surface == sample.reflected_surface;
+            }
+        const bool right = mirrored == sample.reflected_surface;
+        result_.mirrored_inner += inner;
+        result_.mirrored_inner_right += inner && right;
+        result_.mirrored_off += !right;
+        if (!right && left_to_tell_-- > 0)
+            std::printf("        (%d, %d): mirror %08x shows %08x, said %08x%s\n", x, y, surface,
+                        sample.reflected_surface, mirrored, inner ? "" : ", at an edge");
+    }
+
     void compare_albedo(int x, int y, Look::Kind kind) {
         const Sample& sample = traced(x, y);
         const auto at = static_cast<std::size_t>(y * painted_.width + x);
@@ -119,6 +155,7 @@ class Comparison {
 
     const ItemBuffer& painted_;
     const std::vector<Sample>& traced_;
+    const std::vector<Sample>& probes_;
     int left_to_tell_;
     std::map<std::uint32_t, glm::vec3> plain_;
     Agreement result_;
@@ -177,12 +214,15 @@ std::optional<Line> compare(const std::filesystem::path& path, const char* name,
     const Clock::time_point start = Clock::now();
     const ItemBuffer painted = paint_items(*scene, stop);
     line.painting = seconds_since(start);
-    if (albedos.size() < painted.surfaces.size() || full.empty())
+    std::vector<Sample> probes;
+    if (!painted.mirrors.empty()) probes = trace(oracle, *scene, RayKind::probe, 1);
+    if (albedos.size() < painted.surfaces.size() || full.empty() ||
+        (!probes.empty() && probes.size() < albedos.size()))
         throw Error(Exit::tracer, "rays take too long", name, "");
     const auto pixels = static_cast<double>(painted.surfaces.size());
     line.of_full = line.painting / (mean_cost(full) * pixels);
     line.of_albedo = line.painting / (mean_cost(albedos) * pixels);
-    line.agreement = Comparison(painted, albedos, verbose ? 10 : 0).compare();
+    line.agreement = Comparison(painted, albedos, probes, verbose ? 10 : 0).compare();
     return line;
 }
 
@@ -194,9 +234,9 @@ std::string percent(std::size_t part, std::size_t all, int digits) {
 }
 
 void print_heading() {
-    std::printf("%8s %9s %9s %9s %8s %9s %8s %9s %8s %8s %8s  scene\n", "known", "inner",
-                "at edges", "beyond", "albedo", "agree", "plain", "agree", "ms", "of full",
-                "of alb.");
+    std::printf("%8s %9s %9s %9s %8s %9s %8s %9s %8s %9s %5s %8s %8s %8s  scene\n", "known",
+                "inner", "at edges", "beyond", "albedo", "agree", "plain", "agree", "mirror",
+                "agree", "off", "ms", "of full", "of alb.");
 }
 
 void print(const Line& line, const char* name) {
@@ -206,6 +246,8 @@ void print(const Line& line, const char* name) {
                 percent(a.beyond, a.known, 3).c_str(), percent(a.images, a.pixels, 2).c_str(),
                 percent(a.images_right, a.images, 3).c_str(), percent(a.plain, a.pixels, 2).c_str(),
                 percent(a.plain_right, a.plain, 3).c_str());
+    std::printf(" %8s %9s %5zu", percent(a.mirrored, a.pixels, 2).c_str(),
+                percent(a.mirrored_inner_right, a.mirrored_inner, 3).c_str(), a.mirrored_off);
     std::printf(" %8.1f %7.2f%% %7.1f%%  %s\n", 1000 * line.painting, 100 * line.of_full,
                 100 * line.of_albedo, name);
     std::fflush(stdout);
@@ -217,7 +259,8 @@ void add(Line& total, const Line& line) {
     for (auto part :
          {&Agreement::pixels, &Agreement::known, &Agreement::inner, &Agreement::inner_right,
           &Agreement::at_edges, &Agreement::beyond, &Agreement::images, &Agreement::images_right,
-          &Agreement::plain, &Agreement::plain_right})
+          &Agreement::plain, &Agreement::plain_right, &Agreement::mirrored,
+          &Agreement::mirrored_inner, &Agreement::mirrored_inner_right, &Agreement::mirrored_off})
         sum.*part += a.*part;
     total.painting += line.painting;
     total.of_full += line.of_full;

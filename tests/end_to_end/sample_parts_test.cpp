@@ -54,6 +54,7 @@ TEST_P(SamplePartsTest, ProbesAgreeWithFullRays) {
     std::size_t hits = 0, other_lights = 0;
     for (std::size_t i = 0; i < full.size(); ++i) {
         ASSERT_EQ(full[i].surface, probe[i].surface) << "pixel " << i;
+        ASSERT_EQ(full[i].reflected_surface, probe[i].reflected_surface) << "pixel " << i;
         ASSERT_EQ(full[i].depth, probe[i].depth);
         ASSERT_EQ(full[i].normal, probe[i].normal);
         ASSERT_EQ(full[i].signature.primary, probe[i].signature.primary);

@@ -71,12 +71,14 @@ DrawableScene drawable_scene(Input& input) {
     }
     if (!input.whole(4)) scene.unknown.push_back(bounds(input));
     scene.looks = {look(input), look(input)};
+    scene.looks[1].mirror = 1;
     const auto texel = [&](int i) {
         const auto half = static_cast<std::uint16_t>(input.whole(65536));
         return std::array<std::uint16_t, 4>{half, static_cast<std::uint16_t>(i), 0x3c00, 0x3c00};
     };
     scene.images.push_back({2, 1, {texel(0), texel(1)}});
     scene.working_gamma = static_cast<float>(input.number());
+    if (input.whole(2)) scene.unknown_in_mirrors.push_back(bounds(input));
     return scene;
 }
 
@@ -91,7 +93,8 @@ void items(std::span<const std::byte> bytes) {
         std::size_t(scene.polygons.width) * std::size_t(scene.polygons.height);
     promise(buffer.width == scene.polygons.width && buffer.height == scene.polygons.height &&
                 buffer.surfaces.size() == pixels && buffer.kinds.size() == pixels &&
-                (buffer.albedos.empty() || buffer.albedos.size() == pixels),
+                (buffer.albedos.empty() || buffer.albedos.size() == pixels) &&
+                buffer.mirrored.size() == (buffer.mirrors.empty() ? 0 : pixels),
             "a buffer of another size");
     std::set<std::uint32_t> surfaces{ItemBuffer::background, ItemBuffer::unknown};
     for (const Face& face : scene.polygons.faces) surfaces.insert(face.surface);
@@ -100,6 +103,8 @@ void items(std::span<const std::byte> bytes) {
         promise(surfaces.contains(buffer.surfaces[i]), "a surface that is not there");
         promise(buffer.surfaces[i] != ItemBuffer::unknown || buffer.kinds[i] == Look::Kind::mixed,
                 "an unknown surface has a look");
+        promise(buffer.mirrored.empty() || surfaces.contains(buffer.mirrored[i]),
+                "a mirror shows a surface that is not there");
     }
 }
 

@@ -34,7 +34,8 @@ std::vector<Sample> random_samples(unsigned seed, std::size_t count) {
         };
         if (full && !s.failed) s.colour = vector(), s.transmittance = number(random);
         if (has(!full, Parts::surface))
-            s.surface = static_cast<std::uint32_t>(random()), s.depth = 3, s.normal = vector();
+            s.surface = static_cast<std::uint32_t>(random()), s.reflected_surface = s.surface + 1,
+            s.depth = 3, s.normal = vector();
         if (has(s.kind == RayKind::albedo, Parts::shading)) s.albedo = vector();
         if (has(false, Parts::shading)) s.illumination = vector(), s.remainder = vector();
         if (has(s.kind == RayKind::probe, Parts::signature))
@@ -47,7 +48,8 @@ std::vector<Sample> random_samples(unsigned seed, std::size_t count) {
 bool equal(const Sample& p, const Sample& q) {
     return p.parts == q.parts && p.position == q.position && p.kind == q.kind &&
            p.failed == q.failed && p.colour == q.colour && p.transmittance == q.transmittance &&
-           p.surface == q.surface && p.depth == q.depth && p.normal == q.normal &&
+           p.surface == q.surface && p.reflected_surface == q.reflected_surface &&
+           p.depth == q.depth && p.normal == q.normal &&
            p.albedo == q.albedo && p.illumination == q.illumination && p.remainder == q.remainder &&
            p.signature == q.signature && p.cost_ns == q.cost_ns;
 }

@@ -47,6 +47,51 @@ TEST(ItemNumbers, AreGivenInTheOrderOfMeeting) {
     EXPECT_EQ(numbers.size(), 3u);
 }
 
+TEST(ItemNumbers, OfMirrorsTellApartWhatTheyReflect) {
+    ItemNumbers numbers;
+    const std::uint32_t before = numbers.of(77, 5);
+    EXPECT_EQ(numbers.of(77, 6), before);
+    numbers.set_mirrors({70, 77});
+    const std::uint32_t five = numbers.of(77, 5), six = numbers.of(77, 6), sky = numbers.of(77, 0);
+    EXPECT_EQ((std::set{five, six, sky, numbers.of(70, 5), numbers.of(78)}.size()), 5u);
+    EXPECT_EQ(numbers.of(77, 5), five);
+    EXPECT_EQ(numbers.of(78, 5), numbers.of(78, 6));
+    for (const std::uint32_t item : {five, six, sky}) EXPECT_EQ(numbers.surface(item), 77u);
+}
+
+TEST(DetailMap, MirrorsShowWhatTheyMirror) {
+    ItemBuffer buffer = columns();
+    buffer.mirrors = {20};
+    for (Pixel p = 0; p < pixels; ++p) {
+        const Pixel y = p / width;
+        buffer.mirrored.push_back(y < 3 ? ItemBuffer::unknown : y < 6 ? 30 : 40);
+    }
+    ItemNumbers numbers;
+    numbers.set_mirrors(buffer.mirrors);
+    DetailMap map(width, height);
+    map.accept(buffer, numbers);
+    const auto at = [](Pixel x, Pixel y) { return y * width + x; };
+    for (Pixel y = 0; y < height; ++y) {
+        const std::uint32_t item = map.item(at(7, y));
+        if (y < 3)
+            EXPECT_EQ(item, DetailMap::unknown);
+        else
+            EXPECT_EQ(item, numbers.of(20, y < 6 ? 30 : 40));
+        EXPECT_EQ(map.item(at(2, y)), numbers.of(10));
+        EXPECT_EQ(map.item(at(12, y)), numbers.of(30));
+    }
+    // An albedo ray does not tell what the mirror shows, but that it is there.
+    map.accept_albedo(at(7, 4), albedo_ray(20, glm::vec3(.5f)), numbers);
+    EXPECT_EQ(map.item(at(7, 4)), numbers.of(20, 30));
+    EXPECT_EQ(map.albedo(at(7, 4)), glm::vec3(.5f));
+    map.accept_albedo(at(7, 1), albedo_ray(20, glm::vec3(.5f)), numbers);
+    EXPECT_EQ(map.item(at(7, 1)), DetailMap::unknown);
+    map.accept_albedo(at(12, 4), albedo_ray(20, glm::vec3(.5f)), numbers);
+    EXPECT_EQ(map.item(at(12, 4)), DetailMap::unknown) << "a mirror where none was thought to be";
+    map.accept_albedo(at(7, 5), albedo_ray(30, glm::vec3(.5f)), numbers);
+    EXPECT_EQ(map.item(at(7, 5)), numbers.of(30));
+}
+
 TEST(DetailMap, KnowsNothingAtFirst) {
     const DetailMap map(width, height);
     for (Pixel p = 0; p < pixels; ++p) {

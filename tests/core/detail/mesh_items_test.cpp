@@ -51,6 +51,32 @@ ItemBuffer items_of(const FunctionImage& image, int width, int height) {
     return items;
 }
 
+constexpr std::uint32_t mirror = 1000;
+
+/// Cards, most of them seen in a mirror that fills the middle of the image.
+FunctionImage mirrored_cards(int width, int height) {
+    FunctionImage image = cards(width, height);
+    const auto in_mirror = [=](dvec2 p) {
+        return p.x > .1 * width && p.x < .9 * width && p.y > .15 * height && p.y < .85 * height;
+    };
+    image.reflected = [in_mirror, shown = image.surface](dvec2 p) {
+        return in_mirror(p) ? shown(p) : Sample::no_reflection;
+    };
+    image.surface = [in_mirror, shown = image.surface](dvec2 p) {
+        return in_mirror(p) ? mirror : shown(p);
+    };
+    return image;
+}
+
+/// The same, knowing what the mirror shows.
+ItemBuffer mirrored_items_of(const FunctionImage& image, int width, int height) {
+    ItemBuffer items = items_of(image, width, height);
+    items.mirrors = {mirror};
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) items.mirrored.push_back(image.reflected({x + .5, y + .5}));
+    return items;
+}
+
 /// Some pixels, by a seed, show a surface that they do not.
 void spoil(ItemBuffer& items, double share, unsigned seed) {
     std::mt19937 random(seed);
@@ -198,6 +224,44 @@ TEST(MeshWithItems, WrongPixelsHereAndThereCostLittle) {
                     << name << ", " << wrong << " wrong, " << samples;
             }
         }
+    }
+}
+
+TEST(MeshWithItems, WhatMirrorsShowIsWorthManySamples) {
+    const FunctionImage image = mirrored_cards(width, height);
+    const ItemBuffer items = items_of(image, width, height),
+                     mirrored = mirrored_items_of(image, width, height);
+    const auto compare = [&](std::size_t samples, std::size_t when, double factor) {
+        Preview with(image, width, height), without(image, width, height);
+        with.to(samples, &mirrored, when);
+        without.to(samples, &items, when);
+        EXPECT_LT(with.error(), factor * without.error()) << samples << ", after " << when;
+        EXPECT_EQ(with.previewer.statistics().contradicted, 0u);
+        EXPECT_EQ(with.previewer.validate(), "");
+    };
+    compare(500, 0, .15);
+    compare(1500, 0, .15);
+    compare(1500, 700, .5);
+}
+
+TEST(MeshWithItems, WhatMirrorsAreSaidToShowMayBeWrong) {
+    constexpr int w = 200, h = 150;
+    const FunctionImage image = mirrored_cards(w, h);
+    const ItemBuffer items = items_of(image, w, h);
+    for (const double wrong : {.001, .02, 1.}) {
+        ItemBuffer mirrored = mirrored_items_of(image, w, h);
+        std::mt19937 random(7);
+        std::uniform_real_distribution<double> unit(0, 1);
+        for (std::uint32_t& shown : mirrored.mirrored)
+            if (unit(random) < wrong)
+                shown = random() % 2 ? ItemBuffer::unknown : 1 + random() % 60;
+        Preview with(image, w, h), without(image, w, h);
+        with.to(1000, &mirrored);
+        // Where all is wrong even the mirrors' own borders are forgotten in the end.
+        without.to(1000, wrong < 1 ? &items : nullptr);
+        EXPECT_LT(with.error(), 1.05 * without.error() + .2 * std::min(wrong, .003)) << wrong;
+        with.to(all);
+        EXPECT_EQ(with.error(), 0) << wrong;
     }
 }
 

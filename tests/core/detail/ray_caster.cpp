@@ -133,6 +133,7 @@ struct RayCaster::Found {
     Hit hit{infinity};
     glm::dvec3 point{};
     glm::dvec2 uv{};
+    glm::dvec3 normal{};  ///< where it is flat
     std::uint32_t material = 0xffffffff;
 
     bool nearer(double t) const { return t > 0 && t < hit.depth; }
@@ -147,7 +148,7 @@ struct RayCaster::Found {
 void RayCaster::cast_faces(const Ray& ray, Found& found) const {
     const PolygonScene& polygons = scene_.polygons;
     for (const Face& face : polygons.faces) {
-        if (!face.visible) continue;
+        if (!(ray.reflected ? face.reflected : face.visible)) continue;
         for (std::size_t i = 2; i < face.count; ++i) {
             // Moeller and Trumbore's test, per triangle of the fan.
             const glm::dvec3 a = polygons.corner(face, 0);
@@ -161,6 +162,7 @@ void RayCaster::cast_faces(const Ray& ray, Found& found) const {
                          v = glm::dot(ray.along, other) / volume, t = glm::dot(ac, other) / volume;
             if (u < 0 || v < 0 || u + v > 1 || !found.nearer(t)) continue;
             found.set(t, face.surface, face.material, ray.at(t));
+            found.normal = glm::normalize(glm::cross(ab, ac));
             if (scene_.corner_uvs.empty()) continue;
             const auto uv = [&](std::size_t corner) {
                 return glm::dvec2(scene_.corner_uvs[face.first + corner]);
@@ -223,14 +225,17 @@ void RayCaster::cast_objects(const Ray& ray, Found& found) const {
                 : is_torus               ? stepped_roots(f, middle - reach, middle + reach)
                                          : parabola_roots(f, middle, wide);
             for (const double t : roots)
-                if (found.nearer(t) && holds(piece, ray.at(t)))
+                if (found.nearer(t) && holds(piece, ray.at(t))) {
                     found.set(t, piece.surface, piece.material, ray.at(t));
+                    const glm::dmat4x3& m = solid.to_frame;
+                    found.normal = glm::normalize(glm::dvec3(m[0].z, m[1].z, m[2].z));
+                }
         }
     }
 }
 
-void RayCaster::cast_unknown(const Ray& ray, Found& found) const {
-    for (const Bounds& box : scene_.unknown) {
+void RayCaster::cast_unknown(const Ray& ray, const std::vector<Bounds>& boxes, Found& found) const {
+    for (const Bounds& box : boxes) {
         double first = 1e-300, last = infinity;
         for (int i = 0; i < 3; ++i) {
             const double a = (box.low[i] - ray.from[i]) / ray.along[i],
@@ -243,15 +248,32 @@ void RayCaster::cast_unknown(const Ray& ray, Found& found) const {
     }
 }
 
-RayCaster::Hit RayCaster::cast(double px, double py) const {
+RayCaster::Ray RayCaster::ray_through(double px, double py) const {
     const glm::dvec3 aside = (px / scene_.polygons.width - .5) * pose_.right +
                              (.5 - py / scene_.polygons.height) * pose_.up;
-    const Ray ray = pose_.orthographic ? Ray{pose_.location + aside, pose_.direction}
-                                       : Ray{pose_.location, pose_.direction + aside};
+    return pose_.orthographic ? Ray{pose_.location + aside, pose_.direction}
+                              : Ray{pose_.location, pose_.direction + aside};
+}
+
+RayCaster::Found RayCaster::trace(const Ray& ray) const {
     Found found;
     cast_faces(ray, found);
     cast_objects(ray, found);
-    cast_unknown(ray, found);
+    cast_unknown(ray, scene_.unknown, found);
+    if (ray.reflected) cast_unknown(ray, scene_.unknown_in_mirrors, found);
+    return found;
+}
+
+RayCaster::Hit RayCaster::cast_reflected(double px, double py) const {
+    const Ray ray = ray_through(px, py);
+    const Found mirror = trace(ray);
+    const glm::dvec3 along = glm::normalize(glm::reflect(ray.along, mirror.normal));
+    constexpr double off = 1e-9;  // lest it meet the mirror itself
+    return trace({mirror.point + off * along, along, true}).hit;
+}
+
+RayCaster::Hit RayCaster::cast(double px, double py) const {
+    Found found = trace(ray_through(px, py));
     if (found.hit.surface == ItemBuffer::background) found.hit.kind = Look::Kind::plain;
     if (found.material >= scene_.looks.size()) return found.hit;
     const Look& look = scene_.looks[found.material];

@@ -32,17 +32,23 @@ class RayCaster {
         glm::dvec3 albedo{};
     };
     Hit cast(double px, double py) const;
+    /// What the ray meets once the flat surface that it hits has reflected it.
+    /// REQUIRES: cast() hits a face or a half space.
+    Hit cast_reflected(double px, double py) const;
     ItemBuffer cast_all() const;
 
    private:
     struct Ray {
         glm::dvec3 from, along;
+        bool reflected = false;
         glm::dvec3 at(double t) const { return from + t * along; }
     };
     struct Found;
+    Ray ray_through(double px, double py) const;
+    Found trace(const Ray& ray) const;
     void cast_faces(const Ray& ray, Found& found) const;
     void cast_objects(const Ray& ray, Found& found) const;
-    void cast_unknown(const Ray& ray, Found& found) const;
+    void cast_unknown(const Ray& ray, const std::vector<Bounds>& boxes, Found& found) const;
     bool holds(const CurvedPiece& piece, const glm::dvec3& p) const;
     /// Of an intricate solid; `from` and `along` are the ray in its frame.
     std::vector<double> roots_within(const Bounds& bounds, const Ray& ray, const Solid& solid,

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "core/detail/mirrored_items.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <map>
+#include <optional>
+#include <unordered_map>
+
+#include "core/detail/curved_items.h"
+#include "core/detail/face_items.h"
+#include "core/detail/item_sources.h"
+
+namespace povpreview {
+
+namespace {
+
+using Source = ItemCanvas::Source;
+
+/// Mirrors that reflect less are left to samples, as are those of fewer pixels, and all beyond the
+/// largest few: each takes as long as painting the scene.
+constexpr float least_mirror = .2f;
+constexpr std::size_t least_pixels = 64, most_mirrors = 32;
+
+/// Two faces lie in one plane if they are as near as rounding can tell, as a share of the distance
+/// from the eye.
+constexpr double coplanar = 1e-12;
+
+/// What a mirror touches is unknown, in units of the scene: POV-Ray's rays miss what is nearer to
+/// where they start than their tolerance, which varies with the object.
+constexpr double touch = 1e-2;
+
+/// A surface of which less of what it mirrors is known, as a share of its pixels, is left alone:
+/// its pixels are told apart by what it mirrors, all or none.
+constexpr double least_known = .8;
+
+/// Of the plane of a face through points as seen from the eye; nothing if there is none.
+std::optional<MirrorPlane> plane_of(const PolygonScene& scene, const Face& face) {
+    // The widest triangle out of the first corner.
+    const glm::dvec3 through = scene.corner(face, 0);
+    glm::dvec3 normal(0);
+    for (std::size_t i = 1; i + 1 < face.count; ++i) {
+        const glm::dvec3 n =
+            glm::cross(scene.corner(face, i) - through, scene.corner(face, i + 1) - through);
+        if (glm::dot(n, n) > glm::dot(normal, normal)) normal = n;
+    }
+    const double length = glm::length(normal);
+    if (!(length > 0) || !std::isfinite(length)) return std::nullopt;
+    return MirrorPlane{through, normal / length};
+}
+
+/// Of the half space z <= 0 of a frame.
+std::optional<MirrorPlane> plane_of(const glm::dmat4x3& to_frame) {
+    const glm::dvec3 gradient(to_frame[0].z, to_frame[1].z, to_frame[2].z);
+    const double size2 = glm::dot(gradient, gradient);
+    if (!(size2 > 0) || !std::isfinite(size2)) return std::nullopt;
+    return MirrorPlane{-to_frame[3].z / size2 * gradient, gradient / std::sqrt(size2)};
+}
+
+std::optional<MirrorPlane> mirror_of(const DrawableScene& scene, Source source) {
+    if (source == ItemCanvas::nothing || source == ItemCanvas::unknown) return std::nullopt;
+    const std::uint32_t material = material_of(scene, source);
+    if (material >= scene.looks.size() || scene.looks[material].mirror < least_mirror)
+        return std::nullopt;
+    if (source & ItemCanvas::piece_bit) {
+        const Solid& solid = scene.solids[scene.pieces[source & ~ItemCanvas::piece_bit].solid];
+        if (solid.kind != Solid::Kind::half_space) return std::nullopt;
+        return plane_of(solid.to_frame);
+    }
+    const Face& face = scene.polygons.faces[source];
+    if (face.smooth != 0) return std::nullopt;
+    return plane_of(scene.polygons, face);
+}
+
+/// The pixels that show mirrors in one plane.
+struct Mirror {
+    MirrorPlane plane;
+    std::vector<std::uint32_t> pixels;
+    PixelBox box;
+};
+
+class MirrorSearch {
+   public:
+    MirrorSearch(const DrawableScene& scene, const PixelRays& rays, const ItemCanvas& canvas)
+        : scene_(scene), rays_(rays), canvas_(canvas) {}
+
+    std::vector<Mirror> find() {
+        // Neighbours mostly show the same source.
+        Source last = ItemCanvas::nothing;
+        int mirror = none;
+        for (int y = 0; y < canvas_.height(); ++y)
+            for (int x = 0; x < canvas_.width(); ++x) {
+                const Source source = canvas_.source(canvas_.index(x, y));
+                if (source != last) mirror = mirror_of_source(last = source);
+                if (mirror != none) add(mirrors_[static_cast<std::size_t>(mirror)], x, y);
+            }
+        std::erase_if(mirrors_, [](const Mirror& m) { return m.pixels.size() < least_pixels; });
+        std::stable_sort(mirrors_.begin(), mirrors_.end(), [](const Mirror& a, const Mirror& b) {
+            return a.pixels.size() > b.pixels.size();
+        });
+        if (mirrors_.size() > most_mirrors) mirrors_.resize(most_mirrors);
+        return std::move(mirrors_);
+    }
+
+   private:
+    static constexpr int none = -1;
+
+    int mirror_of_source(Source source) {
+        const auto [known, is_new] = numbers_.try_emplace(source, none);
+        if (!is_new) return known->second;
+        const auto plane = mirror_of(scene_, source);
+        if (!plane) return none;
+        const auto same = std::find_if(mirrors_.begin(), mirrors_.end(),
+                                       [&](const Mirror& m) { return is_same(m.plane, *plane); });
+        known->second = static_cast<int>(same - mirrors_.begin());
+        if (same == mirrors_.end())
+            mirrors_.push_back({*plane, {}, {canvas_.width(), canvas_.height(), 0, 0}});
+        return known->second;
+    }
+
+    bool is_same(const MirrorPlane& a, const MirrorPlane& b) const {
+        const double far = glm::length(b.through - rays_.origin);
+        return glm::length(glm::cross(a.normal, b.normal)) <= coplanar &&
+               std::abs(glm::dot(a.normal, b.through - a.through)) <= coplanar * far;
+    }
+
+    void add(Mirror& mirror, int x, int y) const {
+        mirror.pixels.push_back(static_cast<std::uint32_t>(canvas_.index(x, y)));
+        PixelBox& box = mirror.box;
+        box = {std::min(box.left, x), std::min(box.top, y), std::max(box.right, x + 1),
+               std::max(box.bottom, y + 1)};
+    }
+
+    const DrawableScene& scene_;
+    const PixelRays& rays_;
+    const ItemCanvas& canvas_;
+    std::vector<Mirror> mirrors_;
+    std::unordered_map<Source, int> numbers_;
+};
+
+/// Draws what a mirror shows, and reads it into `mirrored`.
+void paint(const DrawableScene& scene, const PixelRays& rays, const ItemCanvas& canvas,
+           const Mirror& mirror, ItemCanvas& reflection, const std::atomic<bool>& stop,
+           std::vector<std::uint32_t>& mirrored) {
+    const PixelRays turned = rays.reflected(mirror.plane);
+    reflection.close_all(mirror.box);
+    for (const std::uint32_t pixel : mirror.pixels) reflection.open(pixel, canvas.nearness(pixel));
+    draw_faces(scene.polygons, turned, reflection, stop);
+    draw_curved(scene, turned, reflection, stop);
+    for (const std::uint32_t pixel : mirror.pixels) {
+        const Source source = reflection.source(pixel);
+        mirrored[pixel] = surface_of(scene, source);
+        if (source == ItemCanvas::nothing || source == ItemCanvas::unknown) continue;
+        const auto width = static_cast<std::uint32_t>(canvas.width());
+        const glm::dvec2 centre(pixel % width + .5, pixel / width + .5);
+        const double way =
+            turned.depth(reflection.nearness(pixel)) - rays.depth(canvas.nearness(pixel));
+        if (way * glm::length(turned.direction(centre)) < touch)
+            mirrored[pixel] = ItemBuffer::unknown;
+    }
+    for (const ItemCanvas::Tie& tie : reflection.ties())
+        if (reflection.stands(tie) && surface_of(scene, tie.first) != surface_of(scene, tie.second))
+            mirrored[tie.pixel] = ItemBuffer::unknown;
+}
+
+/// Surfaces of which it is known what they mirror, ascending.
+std::vector<std::uint32_t> known_mirrors(const std::vector<Mirror>& mirrors,
+                                         const ItemBuffer& items) {
+    std::map<std::uint32_t, std::size_t> known, pixels;
+    for (const Mirror& mirror : mirrors)
+        for (const std::uint32_t pixel : mirror.pixels)
+            known[items.surfaces[pixel]] += items.mirrored[pixel] != ItemBuffer::unknown;
+    for (const std::uint32_t surface : items.surfaces)
+        if (const auto found = known.find(surface); found != known.end()) ++pixels[surface];
+    std::vector<std::uint32_t> result;
+    for (const auto& [surface, count] : known)
+        if (surface != ItemBuffer::unknown &&
+            double(count) >= least_known * double(pixels[surface]))
+            result.push_back(surface);
+    return result;
+}
+
+}  // namespace
+
+void paint_mirrored(const DrawableScene& scene, const PixelRays& rays, const ItemCanvas& canvas,
+                    const std::atomic<bool>& stop, ItemBuffer& items) {
+    if (std::none_of(scene.looks.begin(), scene.looks.end(),
+                     [](const Look& look) { return look.mirror >= least_mirror; }))
+        return;
+    const std::vector<Mirror> mirrors = MirrorSearch(scene, rays, canvas).find();
+    if (mirrors.empty()) return;
+    items.mirrored.assign(items.surfaces.size(), ItemBuffer::unknown);
+    ItemCanvas reflection(canvas.width(), canvas.height());
+    for (const Mirror& mirror : mirrors)
+        if (!stop) paint(scene, rays, canvas, mirror, reflection, stop, items.mirrored);
+    items.mirrors = known_mirrors(mirrors, items);
+    if (items.mirrors.empty()) items.mirrored.clear();
+}
+
+}  // namespace povpreview
