@@ -12,8 +12,9 @@ BfSquares::BfSquares(int width, int height)
       height_(height),
       columns_((width + side - 1) / side),
       rows_((height + side - 1) / side),
-      colours_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)),
-      states_(colours_.size(), State::unsampled),
+      colours_(std::make_unique_for_overwrite<glm::vec3[]>(static_cast<std::size_t>(width) *
+                                                           static_cast<std::size_t>(height))),
+      states_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), State::unsampled),
       counts_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_)),
       filling_(counts_.size()) {
     static_assert(side * side <= 255, "counts are bytes");
@@ -112,9 +113,10 @@ bool BfSquares::mean_around(Pixel pixel, glm::vec3& mean) const {
 }
 
 void BfSquares::draw(Picture& picture) const {
-    picture.pixels = colours_;
+    picture.pixels.resize(states_.size());
     picture.known.resize(states_.size());
     for (Pixel pixel = 0; pixel < states_.size(); ++pixel) {
+        if (has_colour(pixel)) picture.pixels[pixel] = colours_[pixel];
         // A failed pixel without known ones around it leaves its place to the triangles.
         switch (states_[pixel]) {
             case State::meshed:

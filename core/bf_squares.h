@@ -5,6 +5,7 @@
 #include <deque>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -81,7 +82,7 @@ class BfSquares {
     bool mean_around(Pixel pixel, glm::vec3& mean) const;
 
     int width_, height_, columns_, rows_;
-    std::vector<glm::vec3> colours_;
+    std::unique_ptr<glm::vec3[]> colours_;  // of known pixels; else no memory is touched
     std::vector<State> states_;
     std::vector<std::uint8_t> counts_;
     std::vector<std::uint8_t> filling_;

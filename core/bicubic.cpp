@@ -2,13 +2,11 @@
 #include "core/bicubic.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
-#include <span>
 #include <utility>
 
-#include "core/colour.h"
+#include "core/colour_table.h"
 
 namespace povpreview {
 namespace {
@@ -21,31 +19,6 @@ std::vector<int> lattice_points(int side, int spacing) {
     for (int p = 0; p < side - 1; p += spacing) points.push_back(p);
     points.push_back(side - 1);
     return points;
-}
-
-/// decode_srgb of many colours by a table between 0 and 2 (1 and what cubics overshoot), off by
-/// less than 1e-6: there are a million channels in each picture, where a power function would take
-/// longer than all the rest.
-void decode_quickly(std::span<glm::vec3> colours) {
-    constexpr int steps = 4096, most = 2 * steps;
-    static const auto table = [] {
-        std::array<float, most + 2> t{};
-        for (std::size_t i = 0; i < t.size(); ++i) t[i] = decode_srgb(float(i) / steps);
-        return t;
-    }();
-    const float* const decoded = table.data();
-    for (glm::vec3& colour : colours) {
-        for (int k = 0; k < 3; ++k) {
-            // Cubics also undershoot; there is no negative light.
-            const float at = std::max(colour[k] * steps, 0.f);
-            if (at <= most) [[likely]] {
-                const int i = int(at);
-                colour[k] = decoded[i] + (at - float(i)) * (decoded[i + 1] - decoded[i]);
-            } else {
-                colour[k] = decode_srgb(colour[k]);
-            }
-        }
-    }
 }
 
 }  // namespace
@@ -144,7 +117,8 @@ Picture Bicubic::picture(Overlay overlay) const {
                                         ? std::move(finest.values)
                                         : interpolate(finest, lattice_points(canvas_.width(), 1),
                                                       lattice_points(canvas_.height(), 1));
-    if (colour_ == Colour::encoded) decode_quickly(smooth);
+    if (colour_ == Colour::encoded)
+        for (glm::vec3& colour : smooth) colour = decode_quickly(colour);
     for (std::size_t i = 0; i < smooth.size(); ++i) {
         if (!known_[i]) picture.pixels[i] = smooth[i];
     }

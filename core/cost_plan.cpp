@@ -14,6 +14,10 @@ constexpr double edges_ns = 1.5e9;
 /// What a vertex costs us: finding its place, the triangles around it, weights, the heap.
 constexpr double vertex_ns = 5e3;
 
+/// Samples cheaper than this go into a lattice, which takes several times as many to the same error
+/// as a triangulation, and no time of our own.
+constexpr double lattice_ns = 12e3;
+
 /// Past a vertex to every sixth pixel, it costs more time than it saves over tracing the pixels
 /// around it, whatever they cost; less than one to every 24 leaves too coarse a mesh.
 constexpr double most_vertices = 1. / 6, least_vertices = 1. / 24;
@@ -24,8 +28,8 @@ constexpr double own_share = .05;
 }  // namespace
 
 CostPlan plan_by_cost(double sample_ns, std::size_t pixels) {
-    if (sample_ns <= 0) return {0, true, true, most_vertices};
-    CostPlan plan{sample_ns, false, false, most_vertices};
+    if (sample_ns <= 0) return {0, false, true, true, most_vertices};
+    CostPlan plan{sample_ns, sample_ns < lattice_ns, false, false, most_vertices};
     plan.outlines = plan.all_ns(pixels) > moment_ns;
     plan.edges = plan.all_ns(pixels) > edges_ns;
     const double affordable = own_share * sample_ns / vertex_ns;

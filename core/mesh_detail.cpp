@@ -38,7 +38,7 @@ DetailMap& MeshPreviewer::detail_to_change() {
 }
 
 void MeshPreviewer::accept_items(const ItemBuffer& items) {
-    if (!options_.detail || !refining_) return;
+    if (!wants_items()) return;
     if (!items.mirrors.empty()) {
         items_.set_mirrors(items.mirrors);
         mesh_.number_again([&](const VertexSample& sample) {
@@ -62,6 +62,9 @@ void MeshPreviewer::accept_items(const ItemBuffer& items) {
     std::reverse(order.begin(), order.end());
     seeds_.clear();
     for (std::uint32_t item : order) seeds_.push_back(extents[item].middle);
+    anchors_.assign(extents.size(), AdaptiveLattice::no_anchor);
+    for (std::uint32_t item : order) anchors_[item] = extents[item].middle;
+    if (lattice_) return lattice_->accept_detail(*detail_);
     // Edges that were light may cross items of which nothing is known.
     const Triangulation& t = mesh_.triangulation();
     for (std::uint32_t v = 0; v < t.vertex_ids(); ++v)
@@ -73,7 +76,7 @@ std::optional<Request> MeshPreviewer::next_seed() {
         const Pixel pixel = seeds_.back();
         seeds_.pop_back();
         if (squares_.state(pixel) == BfSquares::State::unsampled)
-            return request({Pending::Use::vertex, pixel, recent_});
+            return request({lattice_ ? Pending::Use::fill : Pending::Use::vertex, pixel, recent_});
     }
     return std::nullopt;
 }
@@ -81,12 +84,14 @@ std::optional<Request> MeshPreviewer::next_seed() {
 /// The number of the surface that a sample met. Where something else was thought to be there, the
 /// sample is right.
 std::uint32_t MeshPreviewer::item_seen(const Sample& sample) {
-    if (!options_.detail || !refining_) return DetailMap::unknown;
+    if (!wants_items() || !contains(sample.parts, Parts::surface)) return DetailMap::unknown;
     const std::uint32_t item = items_.of(sample.surface, sample.reflected_surface);
     // A one-sided sample does not lie in the middle of a pixel, for which alone the map speaks.
     const Pixel pixel = squares_.pixel_at(sample.position);
-    if (detail_ && sample.position == squares_.centre(pixel) && detail_->contradicts(pixel, item))
+    if (detail_ && sample.position == squares_.centre(pixel) && detail_->contradicts(pixel, item)) {
         detail_to_change().distrust(pixel);
+        if (lattice_) lattice_->accept_doubt(pixel, *detail_);
+    }
     return item;
 }
 
@@ -96,6 +101,12 @@ bool MeshPreviewer::shaded(const Sample& sample) const {
     return contains(parts(), Parts::shading) && contains(sample.parts, Parts::shading) &&
            sample.surface != 0 && finite(sample.albedo) && finite(sample.illumination) &&
            finite(sample.remainder);
+}
+
+/// Between the pixels of a lattice, items and albedos are of use as soon as they are known.
+Parts MeshPreviewer::lattice_parts() const {
+    if (!detail_ || detail_->known() == 0) return Parts::colour;
+    return textured_ ? Parts::surface | Parts::shading : Parts::surface;
 }
 
 /// Among the first samples every some albedo rays, so that their cost is known as well.
@@ -133,7 +144,10 @@ std::optional<Request> MeshPreviewer::next_albedo() {
 }
 
 void MeshPreviewer::accept_albedo(Pixel pixel, const Sample& sample) {
-    if (!cost_known()) trial_costs_.push_back(options_.by_cost ? sample.cost_ns : 0);
+    if (!cost_known()) {  // a trial, of a pixel that gets a full sample as well
+        trial_costs_.push_back(options_.by_cost ? sample.cost_ns : 0);
+        return;
+    }
     detail_to_change().accept_albedo(pixel, sample, items_);
 }
 

@@ -74,6 +74,7 @@ std::string_view MeshPreviewer::name() const {
 
 /// Surfaces tell where outlines are, which is of no use any more once pixels are only filled.
 Parts MeshPreviewer::parts() const {
+    if (lattice_) return lattice_parts();
     if (!refining_) return Parts::colour;
     const bool outlines = options_.constraints && (plan_.outlines || !cost_known());
     Parts parts = outlines || options_.detail ? Parts::surface : Parts::colour;
@@ -106,11 +107,25 @@ void MeshPreviewer::lay_grid() {
 void MeshPreviewer::learn_cost(const Sample& sample) {
     if (cost_known()) return;
     grid_costs_.push_back(options_.by_cost ? sample.cost_ns : 0);
+    if (grid_costs_.size() == early_samples() && seem_cheap()) {
+        grid_.resize(grid_asked_);  // the lattice has samples of its own
+        start_lattice();
+    }
     if (!cost_known()) return;
     const double full_ns = usual_cost(grid_costs_);
     plan_ = plan_by_cost(full_ns, squares_.pixels());
     albedo_fetch_.set_price(options_.by_cost ? albedo_price(usual_cost(trial_costs_), full_ns)
                                              : usual_albedo_price);
+    if (seem_cheap()) start_lattice();
+}
+
+/// So many of the first samples tell whether vertices are worth the time that would be spent on
+/// them until all have come.
+std::size_t MeshPreviewer::early_samples() const { return (grid_.size() + 3) / 4; }
+
+bool MeshPreviewer::seem_cheap() const {
+    return options_.lattice && !lattice_ &&
+           plan_by_cost(usual_cost(grid_costs_), squares_.pixels()).lattice;
 }
 
 std::optional<Request> MeshPreviewer::request(Pending pending) {
@@ -132,9 +147,14 @@ std::optional<Request> MeshPreviewer::request(Pending pending) {
 std::optional<Request> MeshPreviewer::next() {
     insert_chains();
     if (grid_asked_ < grid_.size()) {
+        // If samples are cheap, waiting costs nothing.
+        if (grid_asked_ == early_samples() && grid_costs_.size() < grid_asked_ &&
+            (grid_costs_.empty() || seem_cheap()))
+            return std::nullopt;
         if (auto albedo = next_trial()) return albedo;
         return request({Pending::Use::vertex, grid_[grid_asked_++], recent_});
     }
+    if (lattice_) return next_in_lattice();
     if (auto albedo = next_albedo()) return albedo;
     if (auto seed = next_seed()) return seed;
     if (!retries_.empty()) {
@@ -159,6 +179,13 @@ std::optional<Request> MeshPreviewer::next() {
         squares_.fill(fill_order_.back());
         fill_order_.pop_back();
     }
+}
+
+std::optional<Request> MeshPreviewer::next_in_lattice() {
+    if (auto seed = next_seed()) return seed;
+    const auto pixel = lattice_->next(detail_.get());
+    if (!pixel) return std::nullopt;
+    return request({Pending::Use::fill, *pixel});
 }
 
 /// Asks for the middle of the heaviest edge; ends refinement where there is none.
@@ -265,8 +292,12 @@ void MeshPreviewer::accept_pixel(const Pending& pending, const Sample& sample, b
         squares_.answer(pending.pixel, sample.colour);
     else
         squares_.fail(pending.pixel);
+    if (pending.use == Pending::Use::vertex) --vertices_pending_;
+    if (lattice_) {
+        item_seen(sample);
+        return lattice_->accept(pending.pixel, sample, shaded(sample));
+    }
     if (pending.use == Pending::Use::fill) return;
-    --vertices_pending_;
     const glm::dvec2 centre = squares_.centre(pending.pixel);
     bool meshed = false;
     for (double x : drawn_out(centre.x, width_))
@@ -358,6 +389,17 @@ void MeshPreviewer::start_filling() {
                      [&](std::size_t p, std::size_t q) { return errors[p] < errors[q]; });
 }
 
+/// What was asked for before as vertices comes as pixels.
+void MeshPreviewer::start_lattice() {
+    refining_ = false;
+    heap_.clear();
+    chains_ = {};
+    retries_.clear();
+    albedo_fetch_.clear();
+    lattice_.emplace(squares_, width_, height_);
+    if (detail_) lattice_->accept_detail(*detail_);
+}
+
 /// For each square, the contrast across its faces, averaged over the area, against the pixels that
 /// are still to be traced. A face that spans several squares counts for each of those in its box.
 std::vector<double> MeshPreviewer::expected_errors() const {
@@ -417,6 +459,7 @@ Picture MeshPreviewer::picture(Overlay overlay) const {
     mesh_.draw(picture);
     draw_detail(picture);
     squares_.draw(picture);
+    if (lattice_) lattice_->draw(picture, detail_.get(), anchors_);
     if (overlay == Overlay::mesh || overlay == Overlay::edges)
         mesh_.draw_edges(picture, overlay == Overlay::edges);
     if (overlay == Overlay::samples)

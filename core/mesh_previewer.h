@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "core/adaptive_lattice.h"
 #include "core/bf_squares.h"
 #include "core/chain_insertion.h"
 #include "core/cost_plan.h"
@@ -28,6 +29,8 @@ struct MeshOptions {
     bool detail = true;
     /// Plan by what the first samples cost; else as where that is not known.
     bool by_cost = true;
+    /// Where samples are cheaper than vertices, go on with a lattice instead.
+    bool lattice = true;
     WeightKind weight = WeightKind::area;
     /// An outline is traced where an edge of the mesh jumps by more than this (square root of the
     /// paper's colour distance, on encoded colour) ...
@@ -72,7 +75,7 @@ class MeshPreviewer : public Previewer {
         return options_.constraints && refining_ && (plan_.edges || !detail_);
     }
     void accept_edges(std::vector<EdgeChain>&& chains) override;
-    bool wants_items() const override { return options_.detail && refining_; }
+    bool wants_items() const override { return options_.detail && (refining_ || lattice_); }
     void accept_items(const ItemBuffer& items) override;
     bool done() const override;
     Picture picture(Overlay overlay) const override;
@@ -116,8 +119,11 @@ class MeshPreviewer : public Previewer {
 
     void lay_grid();
     void learn_cost(const Sample& sample);
+    std::size_t early_samples() const;
+    bool seem_cheap() const;
     bool cost_known() const { return grid_costs_.size() == grid_.size(); }
     std::optional<Request> request(Pending pending);
+    std::optional<Request> next_in_lattice();
     std::optional<Request> refine();
     std::optional<Request> refine(const RefinementHeap::Entry& entry);
     std::optional<Request> refine_side(const RefinementHeap::Entry& entry);
@@ -148,6 +154,7 @@ class MeshPreviewer : public Previewer {
     void take_outlines();
     void insert(const Outline& outline);
     void start_filling();
+    void start_lattice();
     std::vector<double> expected_errors() const;
     void add_outline_errors(std::vector<double>& errors) const;
 
@@ -155,6 +162,7 @@ class MeshPreviewer : public Previewer {
     DetailMap& detail_to_change();
     std::uint32_t item_seen(const Sample& sample);
     bool shaded(const Sample& sample) const;
+    Parts lattice_parts() const;
     std::optional<Request> next_seed();
     void consider_albedos(VertexId a, VertexId b);
     std::optional<Request> next_trial();
@@ -198,10 +206,13 @@ class MeshPreviewer : public Previewer {
     std::size_t outline_rays_ = 0;           // spent on outlines
     std::size_t waiting_since_ = 0;          // full rays when the next round's first edge was taken
     std::vector<std::uint32_t> grid_costs_;  // of the first samples, nanoseconds
-    CostPlan plan_{0, false, true, plan_by_cost(0, 0).vertex_budget};  // until they are known
-    std::array<Account, 5> accounts_;                                  // by Pending::Use
+    CostPlan plan_{0, false, false, true,
+                   plan_by_cost(0, 0).vertex_budget};  // until they are known
+    std::array<Account, 5> accounts_;                  // by Pending::Use
     bool refining_ = true;
-    VertexId recent_{0};  // a live vertex
+    std::optional<AdaptiveLattice> lattice_;  // once it has taken the triangulation's place
+    std::vector<Pixel> anchors_;              // for the lattice: by item
+    VertexId recent_{0};                      // a live vertex
 };
 
 }  // namespace povpreview

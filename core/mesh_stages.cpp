@@ -46,6 +46,15 @@ double MeshPreviewer::vertex_share() const {
 }
 
 Stage MeshPreviewer::triangulation_stage() const {
+    if (lattice_) {
+        Stage first = stage(refinement_stage_name, false,
+                            text("a vertex takes longer than samples of %.3g us: only the first "
+                                 "%zu are vertices",
+                                 plan_.sample_ns * 1e-3, grid_.size()),
+                            {Pending::Use::vertex, Pending::Use::side});
+        first.expected = double(grid_.size()) / double(squares_.pixels());
+        return first;
+    }
     Stage result =
         stage(refinement_stage_name, true,
               text(options_.by_cost ? "up to %.0f vertices, as samples of %.3g us deserve"
@@ -71,9 +80,10 @@ Stage MeshPreviewer::outline_stage() const {
 
 Stage MeshPreviewer::edge_stage() const {
     const double all_s = plan_.all_ns(squares_.pixels()) * 1e-9;
-    const bool runs = options_.constraints && (plan_.edges || !detail_);
+    const bool runs = options_.constraints && !lattice_ && (plan_.edges || !detail_);
     const std::string why = !options_.constraints ? "the method is without constraints"
                             : plan_.edges ? text("all pixels take %.3g s of one thread", all_s)
+                            : lattice_    ? "a lattice has no use for them"
                             : runs ? "the borders of surfaces are not known from an item buffer"
                                    : text(
                                          "all pixels take only %.3g s of one thread, and the "
@@ -86,9 +96,10 @@ Stage MeshPreviewer::edge_stage() const {
 
 Stage MeshPreviewer::albedo_stage() const {
     const double price = albedo_fetch_.price();
-    const bool runs = options_.detail && albedo_fetch_.affordable();
+    const bool runs = options_.detail && !lattice_ && albedo_fetch_.affordable();
     const std::string why =
-        !options_.detail ? "the method or the camera is without a DetailMap"
+        lattice_           ? "samples are as cheap"
+        : !options_.detail ? "the method or the camera is without a DetailMap"
         : runs ? text("one costs %.2g of a full sample; where samples tell of a texture", price)
                : text("one costs %.2g of a full sample", price);
     Stage result = stage("albedo rays", runs, why, {Pending::Use::albedo});
@@ -98,8 +109,10 @@ Stage MeshPreviewer::albedo_stage() const {
 
 Stage MeshPreviewer::filling_stage() const {
     Stage result =
-        stage("filling", true, "every pixel gets its own sample in the end", {Pending::Use::fill});
-    result.expected = 1 - vertex_share();
+        lattice_ ? stage("lattice", true, "samples cost less than a vertex", {Pending::Use::fill})
+                 : stage("filling", true, "every pixel gets its own sample in the end",
+                         {Pending::Use::fill});
+    result.expected = 1 - (lattice_ ? *triangulation_stage().expected : vertex_share());
     return result;
 }
 

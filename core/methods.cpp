@@ -30,10 +30,11 @@ std::unique_ptr<Previewer> make(const ImageFrame& frame) {
 
 constexpr Method methods[] = {
     {"mesh", [](const ImageFrame& frame) { return make_mesh(frame, {}); }},
-    {"constrained", [](const ImageFrame& frame) { return make_mesh(frame, {.detail = false}); }},
+    {"constrained",
+     [](const ImageFrame& frame) { return make_mesh(frame, {.detail = false, .lattice = false}); }},
     {"delaunay",
      [](const ImageFrame& frame) {
-         return make_mesh(frame, {.constraints = false, .detail = false});
+         return make_mesh(frame, {.constraints = false, .detail = false, .lattice = false});
      }},
     {"blocks", make<Blocks>},
     {"mosaic", make<Mosaic>},

@@ -2,6 +2,7 @@
 #include "core/session.h"
 
 #include <algorithm>
+#include <cstdint>
 
 namespace povpreview {
 
@@ -14,7 +15,21 @@ Session::Session(Previewer& previewer, SampleOracle& oracle)
 /// Requests outstanding at a time. Few at first, when each answer says much about where the next
 /// sample should go; more later, when a choice made too early costs little and latency counts.
 std::size_t Session::window() const {
-    return std::clamp<std::size_t>(256 + accepted_ / 16, 256, 16384);
+    return std::clamp<std::size_t>(std::max(256 + accepted_ / 16, queued_for_latency()), 256,
+                                   16384);
+}
+
+/// Requests for the time that we may be away, since other threads want the processor as well: the
+/// tracer shall not wait. Where the number of samples is limited, equal scenes give equal runs, and
+/// what samples cost is not looked at.
+std::size_t Session::queued_for_latency() const {
+    constexpr double away_ns = 8e6;  // of one thread of the tracer: 4 ms of two
+    constexpr std::size_t known_after = 128, most = 4096;
+    const auto full_ns = static_cast<double>(counts_.cost_ns[static_cast<int>(RayKind::full)]);
+    if (counts_.full < known_after || full_ns <= 0 || full_limit_ != SIZE_MAX) return 0;
+    const double wanted = away_ns * static_cast<double>(counts_.full) / full_ns;
+    // No more than a share of what has come: that tells where to ask next.
+    return std::min({static_cast<std::size_t>(wanted), 2 * counts_.full, most});
 }
 
 void Session::choose() {

@@ -46,6 +46,7 @@ class Session {
    private:
     using Clock = std::chrono::steady_clock;
     std::size_t window() const;
+    std::size_t queued_for_latency() const;
     void accept(const Sample& sample);
     void choose();
     void submit();

@@ -3,10 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/common.hpp>
-#include <glm/exponential.hpp>
 #include <glm/geometric.hpp>
 
+#include "core/colour.h"
 #include "core/edge_weight.h"
 #include "core/mesh.h"
 
@@ -20,11 +19,6 @@ constexpr float border_share = .1f;
 
 /// Shortest stretch of an item worth a sample of its own, in pixels.
 constexpr double shortest_stretch = 3;
-
-/// As display_encoded(), within .05; weights need no more.
-glm::vec3 roughly_encoded(const glm::vec3& linear) {
-    return glm::sqrt(glm::clamp(linear, 0.f, 1.f));
-}
 
 }  // namespace
 

@@ -12,7 +12,7 @@
 #include "core/colour.h"
 #include "core/mesh_previewer.h"
 #include "core/session.h"
-#include "tests/core/detail/shown_detail.h"
+#include "tests/core/detail/textured_life.h"
 #include "tests/core/function_oracle.h"
 #include "tests/core/painted_cards.h"
 
@@ -25,31 +25,7 @@ using glm::vec3;
 
 constexpr std::size_t all = std::numeric_limits<std::size_t>::max();
 
-/// images::still_life() with the floor's texture told apart from the light on it.
-FunctionImage textured_life(int width, int height) {
-    FunctionImage image = images::still_life(width, height);
-    const FunctionImage floor = images::checker(height * .06);
-    image.albedo = [surface = image.surface, floor](dvec2 p) {
-        return surface(p) == 2 ? floor.colour(p) : vec3(1);
-    };
-    return image;
-}
-
 FunctionImage cards(int width, int height) { return PaintedCards({width, height}, 60, 5).image(); }
-
-/// What a painter would say of the image, with the albedo of surface 2.
-ItemBuffer items_of(const FunctionImage& image, int width, int height) {
-    ItemBuffer items{width, height, {}, {}, {}};
-    for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x) {
-            const dvec2 centre(x + .5, y + .5);
-            items.surfaces.push_back(image.surface(centre));
-            items.kinds.push_back(items.surfaces.back() == 2 ? Look::Kind::image
-                                                             : Look::Kind::plain);
-            items.albedos.push_back(image.albedo(centre));
-        }
-    return items;
-}
 
 constexpr std::uint32_t mirror = 1000;
 
@@ -86,18 +62,6 @@ void spoil(ItemBuffer& items, double share, unsigned seed) {
             items.surfaces[i] = items.surfaces[random() % items.surfaces.size()] + random() % 2;
             items.albedos[i] = vec3(float(unit(random)));
         }
-}
-
-double error_of(const Picture& picture, const FunctionImage& image) {
-    const std::vector<vec3> shown = rasterise_detail(picture);
-    double sum = 0;
-    for (int y = 0; y < picture.height; ++y)
-        for (int x = 0; x < picture.width; ++x) {
-            const vec3 d = display_encoded(shown[static_cast<std::size_t>(y * picture.width + x)]) -
-                           display_encoded(image.colour({x + .5, y + .5}));
-            sum += (std::abs(d.x) + std::abs(d.y) + std::abs(d.z)) / 3;
-        }
-    return sum / (picture.width * picture.height);
 }
 
 /// A previewer and its tracer; items come once so many full samples are there.
