@@ -148,8 +148,8 @@ std::optional<Request> MeshPreviewer::next() {
     insert_chains();
     if (grid_asked_ < grid_.size()) {
         // If samples are cheap, waiting costs nothing.
-        if (grid_asked_ == early_samples() && grid_costs_.size() < grid_asked_ &&
-            (grid_costs_.empty() || seem_cheap()))
+        if (options_.lattice && options_.by_cost && grid_asked_ == early_samples() &&
+            grid_costs_.size() < grid_asked_ && (grid_costs_.empty() || seem_cheap()))
             return std::nullopt;
         if (auto albedo = next_trial()) return albedo;
         return request({Pending::Use::vertex, grid_[grid_asked_++], recent_});

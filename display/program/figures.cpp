@@ -137,14 +137,15 @@ class Figures {
     void draw_worth_of_edges(TracedScene& scene) {
         const std::vector<EdgeChain>& edges = scene.edges();
         const RegularGrid grid = regular_grid(samples(), size_);
-        MeshPreviewer plain(size_.x, size_.y,
-                            {.constraints = false, .detail = false, .grid_cell = grid.cell});
+        MeshPreviewer plain(
+            size_.x, size_.y,
+            {.constraints = false, .detail = false, .lattice = false, .grid_cell = grid.cell});
         Session plain_session(plain, scene.oracle());
         trace(plain_session, grid.samples);
         draw(plain, "b", "c", "plain triangulation");
 
         // Most samples are for refinement, also where there are but few in all.
-        MeshOptions sparse{.detail = false};
+        MeshOptions sparse{.detail = false, .lattice = false};
         sparse.grid_cell = std::max(
             sparse.grid_cell, regular_grid(std::max<std::size_t>(4, grid.samples / 4), size_).cell);
         MeshPreviewer constrained(size_.x, size_.y, sparse);
@@ -158,7 +159,7 @@ class Figures {
     }
 
     void draw_phases(TracedScene& scene) {
-        MeshPreviewer previewer(size_.x, size_.y);
+        MeshPreviewer previewer(size_.x, size_.y, {.lattice = false});
         previewer.accept_edges(std::vector<EdgeChain>(scene.edges()));
         if (const ItemBuffer* items = scene.items())
             previewer.accept_items(*items);

@@ -11,9 +11,12 @@ namespace {
 /// Samples that the previewer asks for before it has an answer to any, and fills no squares: its
 /// grid.
 std::size_t grid_of(const RegularGrid& grid, glm::ivec2 size) {
-    MeshPreviewer previewer(
-        size.x, size.y,
-        {.constraints = false, .detail = false, .grid_cell = grid.cell, .dense = 2});
+    MeshPreviewer previewer(size.x, size.y,
+                            {.constraints = false,
+                             .detail = false,
+                             .lattice = false,
+                             .grid_cell = grid.cell,
+                             .dense = 2});
     std::size_t asked = 0;
     while (previewer.next()) ++asked;
     return asked;
