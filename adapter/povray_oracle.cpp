@@ -212,7 +212,13 @@ void PovrayOracle::handle(std::span<const std::byte> frame) {
     if (const auto* chunk = std::get_if<report::GeometryChunk>(&any))
         return handle_geometry(*chunk);
     if (const auto* part = std::get_if<report::Texels>(&any)) return handle_texels(*part);
-    if (progress_) progress_(std::get<report::Progress>(any));
+    if (std::holds_alternative<report::TargetReady>(any)) {
+        if (state_ != State::serving) throw WireFault("a target before the scene");
+        target_ready_ = true;
+        return;
+    }
+    preparation_ = std::get<report::Progress>(any);
+    if (progress_) progress_(preparation_);
 }
 
 void PovrayOracle::handle_hello(const report::Hello& hello) {
@@ -237,6 +243,7 @@ void PovrayOracle::handle_scene(SceneDescription scene) {
         fail(Exit::scene, "the scene was changed while it was traced, to another image size",
              "start again");
     scene_ = std::move(scene);
+    target_ready_ = target_ready_ || scene_->ladder.rungs.back().ready;
     state_ = State::serving;
     send_waiting();
 }
@@ -310,7 +317,7 @@ void PovrayOracle::handle_answer(const report::Answer& answer) {
         throw WireFault(
             fmt::format("an answer to batch {}, which is not outstanding", answer.batch()));
     Batch& batch = batches_[answer.batch() - first_batch_];
-    answer.check_asked(batch.count, batch.kind, batch.parts);
+    answer.check_asked(batch.count, batch.kind);
     for (std::uint32_t i = 0; i < answer.count(); ++i) {
         const Sequence sequence = batch.sequence(answer.first() + i);
         if (queue_.answered(sequence))
@@ -321,7 +328,7 @@ void PovrayOracle::handle_answer(const report::Answer& answer) {
         slot.answered = true;
         statistics_.failed += slot.sample.failed;
     }
-    statistics_.rays[static_cast<std::size_t>(batch.kind)] += answer.count();
+    statistics_.rays[static_cast<std::size_t>(batch.kind.kind)] += answer.count();
     barren_deaths_ = 0;
     batch.answered += answer.count();
     while (!batches_.empty() && batches_.front().answered == batches_.front().count) {
@@ -347,13 +354,15 @@ void PovrayOracle::send_waiting() {
     flush();
 }
 
-/// Sends the unanswered ones among [begin, end), a batch for each kind and choice of parts.
+/// Sends the unanswered ones among [begin, end), a batch for each kind, rung and choice of parts.
 /// REQUIRES: end - begin <= wire_max_batch.
 void PovrayOracle::send_range(Sequence begin, Sequence end) {
-    constexpr std::size_t kinds = 3, all_parts = 8;
-    std::array<std::vector<std::uint32_t>, kinds * all_parts> groups;
+    constexpr std::size_t kinds = 3, all_parts = 8, groups_of_rung = kinds * all_parts;
+    std::array<std::vector<std::uint32_t>, wire_max_rungs * groups_of_rung> groups;
     const auto group_of = [](const SampleQueue::Slot& slot) {
-        return static_cast<std::size_t>(slot.sample.kind) * all_parts +
+        // The target stands behind all others, as it does in numbers.
+        return std::min<std::size_t>(slot.sample.rung, wire_max_rungs - 1) * groups_of_rung +
+               static_cast<std::size_t>(slot.sample.kind) * all_parts +
                static_cast<std::size_t>(slot.sample.parts);
     };
     for (Sequence s = begin; s < end; ++s)
@@ -361,8 +370,8 @@ void PovrayOracle::send_range(Sequence begin, Sequence end) {
             groups[group_of(queue_[s])].push_back(static_cast<std::uint32_t>(s - begin));
     for (std::size_t g = 0; g < groups.size(); ++g) {
         if (groups[g].empty()) continue;
-        Batch batch{.kind = static_cast<RayKind>(g / all_parts),
-                    .parts = static_cast<Parts>(g % all_parts),
+        const SampleQueue::Slot& slot = queue_[begin + groups[g].front()];
+        Batch batch{.kind = {slot.sample.kind, slot.sample.rung, slot.sample.parts},
                     .first = begin,
                     .count = static_cast<std::uint32_t>(groups[g].size()),
                     .answered = 0,
@@ -376,7 +385,7 @@ void PovrayOracle::send_batch(Batch batch) {
     positions_.clear();
     for (std::uint32_t i = 0; i < batch.count; ++i)
         positions_.push_back(queue_[batch.sequence(i)].sample.position);
-    append_trace(out_, first_batch_ + batches_.size(), batch.kind, batch.parts, positions_);
+    append_trace(out_, first_batch_ + batches_.size(), batch.kind, positions_);
     set_outstanding(outstanding_ + batch.count);
     batches_.push_back(std::move(batch));
 }

@@ -98,6 +98,10 @@ class PovrayOracle : public SampleOracle {
     std::filesystem::path finish(std::span<const PixelLight> pixels,
                                  const std::function<void(const report::Progress&)>& progress,
                                  const std::function<bool()>& interrupted);
+    /// Whether the target rung can be traced, or could be by a tracer that has died since.
+    bool target_ready() const { return target_ready_; }
+    /// The tracer's last step towards that.
+    const report::Progress& preparation() const { return preparation_; }
 
     TracerStatistics statistics() const;
     /// The most memory that the tracer has had resident so far, bytes; 0 where it is not known.
@@ -113,8 +117,7 @@ class PovrayOracle : public SampleOracle {
 
     /// Samples under one id on the wire; the i-th one is number first + offsets[i], or first + i.
     struct Batch {
-        RayKind kind;
-        Parts parts;
+        BatchKind kind;
         Sequence first;
         std::uint32_t count = 0, answered = 0;
         std::vector<std::uint32_t> offsets;  ///< empty where they follow one another
@@ -175,6 +178,8 @@ class PovrayOracle : public SampleOracle {
 
     report::Hello hello_;
     std::optional<SceneDescription> scene_;
+    bool target_ready_ = false;
+    report::Progress preparation_;
     std::function<void(const report::Progress&)> progress_;
 
     Geometry arriving_;                               ///< what this process has sent so far

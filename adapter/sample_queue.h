@@ -32,7 +32,10 @@ class SampleQueue {
 
     void push(const Request& request, Parts parts) {
         if (end_ - begin_ == slots_.size()) grow();
-        at(end_) = {.sample = {.position = request.position, .kind = request.kind, .parts = parts},
+        at(end_) = {.sample = {.position = request.position,
+                               .kind = request.kind,
+                               .rung = request.rung,
+                               .parts = parts},
                     .answered = false};
         ++end_;
     }

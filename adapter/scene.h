@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/ladder.h"
+
 /// What the tracer says about a scene once it has parsed it: enough to plan the preview and to
 /// place its geometry, without any of the tracer's own types. Lengths are in scene units, in
 /// POV-Ray's left-handed world space.
@@ -77,6 +79,7 @@ struct SceneDescription {
     bool alpha = false;  ///< samples are without the background where it shines through (+UA)
     std::string output;  ///< the image file that POV-Ray would write, by its rules; empty: none
     std::vector<std::string> files;  ///< that it has read, as it names them
+    Ladder ladder;
 
     bool has(std::string_view feature) const {
         return std::find(features.begin(), features.end(), feature) != features.end();

@@ -88,6 +88,11 @@ SceneDescription scene(const wire::Scene& from) {
     to.output = text(from.output());
     if (from.files())
         for (const flatbuffers::String* f : *from.files()) to.files.push_back(text(f));
+    check_list(from.rungs(), wire_max_rungs, "rungs");
+    if (!from.rungs() || from.rungs()->size() == 0) return to;  // the target alone
+    to.ladder.rungs.clear();
+    for (const wire::Rung* r : *from.rungs())
+        to.ladder.rungs.push_back({name(r->name()), r->ready()});
     return to;
 }
 
@@ -150,7 +155,7 @@ void append_order(std::vector<std::byte>& out, flatbuffers::FlatBufferBuilder& b
 
 }  // namespace
 
-void append_trace(std::vector<std::byte>& out, std::uint64_t batch, RayKind kind, Parts parts,
+void append_trace(std::vector<std::byte>& out, std::uint64_t batch, const BatchKind& kind,
                   std::span<const glm::dvec2> positions) {
     assert(!positions.empty() && positions.size() <= wire_max_batch);
     flatbuffers::FlatBufferBuilder builder(positions.size_bytes() + 128);
@@ -158,8 +163,8 @@ void append_trace(std::vector<std::byte>& out, std::uint64_t batch, RayKind kind
     const auto vector =
         builder.CreateUninitializedVectorOfStructs<wire::Vec2d>(positions.size(), &to);
     for (const glm::dvec2& p : positions) *to++ = wire::Vec2d(p.x, p.y);
-    const auto trace = wire::CreateTrace(builder, batch, static_cast<wire::RayKind>(kind),
-                                         static_cast<wire::Parts>(parts), vector);
+    const auto trace = wire::CreateTrace(builder, batch, static_cast<wire::RayKind>(kind.kind),
+                                         static_cast<wire::Parts>(kind.parts), vector, kind.rung);
     append_order(out, builder, wire::Order::Trace, trace.Union());
 }
 
@@ -180,7 +185,11 @@ void append_image(std::vector<std::byte>& out, std::uint32_t first,
 // ---- tracer to previewer
 
 report::Answer::Answer(const wire::Answer& table)
-    : table_(&table), batch_(table.batch()), first_(table.first()), count_(table.count()) {
+    : table_(&table),
+      batch_(table.batch()),
+      first_(table.first()),
+      count_(table.count()),
+      rung_(table.rung()) {
     if (count_ < 1 || count_ > wire_max_batch || first_ > wire_max_batch - count_)
         throw WireFault(fmt::format("an answer for samples {} to {} of a batch", first_,
                                     std::uint64_t{first_} + count_));
@@ -198,11 +207,14 @@ report::Answer::Answer(const wire::Answer& table)
     }
 }
 
-void report::Answer::check_asked(std::uint32_t batch_count, RayKind kind, Parts parts) const {
+void report::Answer::check_asked(std::uint32_t batch_count, const BatchKind& asked) const {
+    const auto [kind, rung, parts] = asked;
     if (std::uint64_t{first_} + count_ > batch_count)
         throw WireFault(fmt::format("an answer for samples {} to {} of a batch of {}", first_,
                                     std::uint64_t{first_} + count_, batch_count));
     const bool full = kind == RayKind::full;
+    if (full && rung_ < rung)
+        throw WireFault(fmt::format("samples of rung {} instead of {}", rung_, rung));
     const auto require = [&](bool wanted, const void* vector, const char* what) {
         if (wanted && !vector) throw WireFault(fmt::format("an answer without {}", what));
     };
@@ -217,7 +229,10 @@ void report::Answer::check_asked(std::uint32_t batch_count, RayKind kind, Parts 
 
 void report::Answer::read(std::uint32_t i, Sample& sample) const {
     assert(i < count_);
-    const Sample blank{.position = sample.position, .kind = sample.kind, .parts = sample.parts};
+    const Sample blank{.position = sample.position,
+                       .kind = sample.kind,
+                       .rung = sample.kind == RayKind::full ? rung_ : target_rung,
+                       .parts = sample.parts};
     sample = blank;
     if (const auto* light = table_->light()) {
         sample.colour = vec3(light->Get(i)->colour());
@@ -279,6 +294,8 @@ Report decode_report(std::span<const std::byte> frame) {
             return decode_geometry(*root->report_as_Geometry());
         case wire::Report::Texels:
             return decode_texels(*root->report_as_Texels());
+        case wire::Report::TargetReady:
+            return report::TargetReady{};
         case wire::Report::Failure: {
             const auto* from = root->report_as_Failure();
             return report::Failure{text(from->message()), text(from->file()), from->line()};

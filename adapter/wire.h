@@ -65,8 +65,17 @@ class FrameReader {
     std::vector<std::byte> body_;  ///< grows as bytes come, not as the header claims
 };
 
+/// Rungs of a scene at most.
+constexpr std::size_t wire_max_rungs = 8;
+
+/// What the samples of a batch have in common.
+struct BatchKind {
+    RayKind kind = RayKind::full;
+    Rung rung = target_rung;
+    Parts parts = Parts::colour;
+};
 /// Appends a frame with a Trace order. REQUIRES: 0 < positions.size() <= wire_max_batch.
-void append_trace(std::vector<std::byte>& out, std::uint64_t batch, RayKind kind, Parts parts,
+void append_trace(std::vector<std::byte>& out, std::uint64_t batch, const BatchKind& kind,
                   std::span<const glm::dvec2> positions);
 
 /// Appends a frame with a part of the completed picture, from the pixel `first` on; `last` has
@@ -105,10 +114,11 @@ class Answer {
     std::uint64_t batch() const { return batch_; }
     std::uint32_t first() const { return first_; }  ///< offset in the batch of its first sample
     std::uint32_t count() const { return count_; }
+    Rung rung() const { return rung_; }
 
     /// Throws WireFault unless it lies inside a batch of `batch_count` samples and carries what was
     /// asked of rays of this kind.
-    void check_asked(std::uint32_t batch_count, RayKind kind, Parts parts) const;
+    void check_asked(std::uint32_t batch_count, const BatchKind& asked) const;
     /// Writes the i-th sample over `sample`, except for its position and kind. A sample with a
     /// value that is not finite comes out as failed. REQUIRES: i < count().
     void read(std::uint32_t i, Sample& sample) const;
@@ -117,8 +127,12 @@ class Answer {
     const wire::Answer* table_;
     std::uint64_t batch_;
     std::uint32_t first_, count_;
+    Rung rung_;
     std::vector<bool> failed_;  ///< empty, or by offset
 };
+
+/// Photons are shot and radiosity is pretraced: the target rung can be traced.
+struct TargetReady {};
 
 /// Part of what can be drawn of the scene. Indices are in range and counts agree, but those of
 /// looks and images, which may be in other parts; conditions run on a stack as deep as allowed and
@@ -137,8 +151,9 @@ struct Texels {
 
 }  // namespace report
 
-using Report = std::variant<report::Hello, report::Progress, report::Failure, report::Answer,
-                            report::GeometryChunk, report::Texels, SceneDescription>;
+using Report =
+    std::variant<report::Hello, report::Progress, report::Failure, report::Answer,
+                 report::GeometryChunk, report::Texels, report::TargetReady, SceneDescription>;
 
 /// Decodes one frame. Throws WireFault on anything but a well-formed report. REQUIRES: `frame`
 /// starts at an address that is a multiple of 8, as FrameReader's do.

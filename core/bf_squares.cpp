@@ -66,6 +66,23 @@ void BfSquares::fail(Pixel pixel) {
     ++failed_;
 }
 
+void BfSquares::replace(Pixel pixel, const glm::vec3& colour) {
+    assert(has_colour(pixel) || states_[pixel] == State::failed);
+    colours_[pixel] = colour;
+    if (states_[pixel] != State::failed) return;
+    states_[pixel] = State::known;
+    --failed_;
+    ++known_;
+}
+
+void BfSquares::spoil(Pixel pixel) {
+    if (states_[pixel] == State::failed) return;
+    assert(has_colour(pixel));
+    states_[pixel] = State::failed;
+    --known_;
+    ++failed_;
+}
+
 void BfSquares::fill(std::size_t square) {
     if (filling_[square]) return;
     filling_[square] = true;

@@ -47,6 +47,10 @@ class BfSquares {
     /// Takes the answer for a requested pixel.
     void answer(Pixel pixel, const glm::vec3& colour);
     void fail(Pixel pixel);
+    /// Takes another colour for a pixel that has been answered, or failed.
+    void replace(Pixel pixel, const glm::vec3& colour);
+    /// Has a pixel that has been answered fail after all.
+    void spoil(Pixel pixel);
     /// Says whether a vertex of the mesh shows a known pixel.
     void set_meshed(Pixel pixel, bool meshed);
 

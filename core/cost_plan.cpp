@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "core/cost_plan.h"
 
+#include <algorithm>
+#include <numeric>
+
 namespace povpreview {
 namespace {
 
@@ -41,6 +44,16 @@ CostPlan plan_by_cost(double sample_ns, std::size_t pixels) {
 double albedo_price(double albedo_ns, double full_ns) {
     if (albedo_ns <= 0 || full_ns <= 0) return 1;
     return albedo_ns / full_ns;
+}
+
+double usual_cost(std::vector<std::uint32_t> costs) {
+    constexpr double left_out = .02;
+    if (costs.empty()) return 0;
+    std::sort(costs.begin(), costs.end());
+    // Rounded down: of few, one is left out as well.
+    costs.resize(
+        std::max<std::size_t>(1, static_cast<std::size_t>((1 - left_out) * double(costs.size()))));
+    return std::accumulate(costs.begin(), costs.end(), 0.) / double(costs.size());
 }
 
 }  // namespace povpreview

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <vector>
 
 namespace povpreview {
 
@@ -30,5 +32,9 @@ CostPlan plan_by_cost(double sample_ns, std::size_t pixels);
 
 /// What an albedo ray costs against a full sample; 1 where either is not known (0).
 double albedo_price(double albedo_ns, double full_ns);
+
+/// The mean of costs in nanoseconds, without those few during which the tracer's thread was put
+/// aside for another program; 0 of none.
+double usual_cost(std::vector<std::uint32_t> costs);
 
 }  // namespace povpreview

@@ -107,6 +107,21 @@ void Mesh::number_again(const std::function<std::uint32_t(const VertexSample&)>&
         if (sample.item != DetailMap::unknown) sample.item = item(sample);
 }
 
+bool Mesh::relight(SampleId id, const RungLight& light) {
+    VertexSample& sample = samples_[id.value];
+    if (sample.state != VertexSample::State::known) return false;
+    const glm::vec3 encoded = display_encoded(light.colour);
+    const bool seen = colour_distance(sample.encoded, encoded) > even_distance;
+    sum_ += glm::dvec3(light.colour) - glm::dvec3(sample.colour);
+    sample.colour = light.colour;
+    sample.encoded = encoded;
+    sample.shaded = light.shaded;
+    sample.albedo = light.albedo;
+    sample.illumination = light.illumination;
+    sample.remainder = light.remainder;
+    return seen;
+}
+
 void Mesh::fail(SampleId id) { samples_[id.value].state = VertexSample::State::failed; }
 
 const VertexSample* Mesh::known(SampleId id) const {

@@ -12,6 +12,7 @@
 #include "core/detail/detail_map.h"
 #include "core/ids.h"
 #include "core/picture.h"
+#include "core/rung_shift.h"
 #include "core/sector.h"
 #include "core/triangulation.h"
 
@@ -66,6 +67,9 @@ class Mesh {
     void fail(SampleId sample);
     /// Gives all samples whose surfaces are numbered other numbers.
     void number_again(const std::function<std::uint32_t(const VertexSample&)>& item);
+    /// Shows a known sample in another light than it was answered with. Returns whether that can
+    /// be seen; without effect on samples that are not known.
+    bool relight(SampleId sample, const RungLight& light);
     /// Asks for a promised sample elsewhere.
     void move(SampleId sample, glm::dvec2 position) { samples_[sample.value].position = position; }
     const VertexSample& sample(SampleId id) const { return samples_[id.value]; }

@@ -41,30 +41,22 @@ std::vector<double> drawn_out(double centre, int pixels) {
     return {centre};
 }
 
-/// The mean of costs in nanoseconds, without those few during which the tracer's thread was put
-/// aside for another program.
-double usual_cost(std::vector<std::uint32_t> costs) {
-    constexpr double left_out = .02;
-    if (costs.empty()) return 0;
-    std::sort(costs.begin(), costs.end());
-    // Rounded down: of few, one is left out as well.
-    costs.resize(
-        std::max<std::size_t>(1, static_cast<std::size_t>((1 - left_out) * double(costs.size()))));
-    return std::accumulate(costs.begin(), costs.end(), 0.) / double(costs.size());
-}
-
 }  // namespace
 
-MeshPreviewer::MeshPreviewer(int width, int height, const MeshOptions& options)
+MeshPreviewer::MeshPreviewer(int width, int height, const MeshOptions& options,
+                             const Ladder& ladder)
     : width_(width),
       height_(height),
       options_(options),
       squares_(width, height),
       mesh_(width, height),
       albedo_fetch_(squares_),
-      search_({width, height}) {
+      search_({width, height}),
+      climb_(ladder, squares_.pixels(), 0),
+      shifts_(ladder.rungs.size() - 1, RungShift(std::max(width, height))) {
     assert(width >= 1 && height >= 1);
     lay_grid();
+    climb_ = RungClimb(ladder, squares_.pixels(), grid_.size());
 }
 
 std::string_view MeshPreviewer::name() const {
@@ -72,9 +64,11 @@ std::string_view MeshPreviewer::name() const {
     return options_.detail ? "mesh" : "constrained";
 }
 
-/// Surfaces tell where outlines are, which is of no use any more once pixels are only filled.
+/// Surfaces tell where outlines are, which is of no use any more once pixels are only filled. What
+/// is traced at several rungs is compared in all its parts.
 Parts MeshPreviewer::parts() const {
     if (lattice_) return lattice_parts();
+    if (!climb_.at_target() || low_left_ > 0) return Parts::surface | Parts::shading;
     if (!refining_) return Parts::colour;
     const bool outlines = options_.constraints && (plan_.outlines || !cost_known());
     Parts parts = outlines || options_.detail ? Parts::surface : Parts::colour;
@@ -117,6 +111,14 @@ void MeshPreviewer::learn_cost(const Sample& sample) {
     albedo_fetch_.set_price(options_.by_cost ? albedo_price(usual_cost(trial_costs_), full_ns)
                                              : usual_albedo_price);
     if (seem_cheap()) start_lattice();
+    // Nothing is spared for the sake of a lower rung's cost; the target's is learnt later.
+    if (climb_.at_target()) return;
+    plan_.edges = true;
+    plan_.vertex_budget = plan_by_cost(0, 0).vertex_budget;
+}
+
+bool MeshPreviewer::is_dense(std::size_t square) const {
+    return squares_.count(square) > options_.dense * squares_.area(square);
 }
 
 /// So many of the first samples tell whether vertices are worth the time that would be spent on
@@ -124,24 +126,25 @@ void MeshPreviewer::learn_cost(const Sample& sample) {
 std::size_t MeshPreviewer::early_samples() const { return (grid_.size() + 3) / 4; }
 
 bool MeshPreviewer::seem_cheap() const {
-    return options_.lattice && !lattice_ &&
+    return options_.lattice && !lattice_ && !climb_.has_rungs() &&
            plan_by_cost(usual_cost(grid_costs_), squares_.pixels()).lattice;
 }
 
 std::optional<Request> MeshPreviewer::request(Pending pending) {
     pending_.push_back(pending);
+    retrace_turn_ = true;
     if (pending.use == Pending::Use::side) {
         ++vertices_pending_;
-        return Request{mesh_.sample(pending.sample).position, RayKind::full};
+        return Request{mesh_.sample(pending.sample).position, RayKind::full, climb_.current()};
     }
     squares_.request(pending.pixel);
     albedo_fetch_.full_asked();
     if (pending.use == Pending::Use::vertex) {
         ++vertices_pending_;
         const std::size_t square = squares_.square_of(pending.pixel);
-        if (squares_.count(square) > options_.dense * squares_.area(square)) squares_.fill(square);
+        if (climb_.at_target() && is_dense(square)) squares_.fill(square);
     }
-    return Request{squares_.centre(pending.pixel), RayKind::full};
+    return Request{squares_.centre(pending.pixel), RayKind::full, climb_.current()};
 }
 
 std::optional<Request> MeshPreviewer::next() {
@@ -155,6 +158,11 @@ std::optional<Request> MeshPreviewer::next() {
         return request({Pending::Use::vertex, grid_[grid_asked_++], recent_});
     }
     if (lattice_) return next_in_lattice();
+    if (auto trial = next_trial_above()) return trial;
+    if (retrace_turn_) {
+        retrace_turn_ = false;  // new samples take turns with old ones
+        if (auto again = next_retrace(climb_.current())) return again;
+    }
     if (auto albedo = next_albedo()) return albedo;
     if (auto seed = next_seed()) return seed;
     if (!retries_.empty()) {
@@ -175,7 +183,7 @@ std::optional<Request> MeshPreviewer::next() {
             if (auto wanted = refine()) return wanted;
             if (refining_) return std::nullopt;  // answers may bring more edges
         }
-        if (fill_order_.empty()) return std::nullopt;
+        if (fill_order_.empty()) return next_retrace(climb_.current());
         squares_.fill(fill_order_.back());
         fill_order_.pop_back();
     }
@@ -204,6 +212,8 @@ std::optional<Request> MeshPreviewer::refine() {
         if (auto wanted = entry->a == entry->b ? refine_side(*entry) : refine(*entry))
             return wanted;
     }
+    // Only what is traced at the target is worth filling; what there is can wait for that.
+    if (!climb_.at_target()) return next_retrace(target_rung);
     start_filling();
     return std::nullopt;
 }
@@ -280,7 +290,10 @@ void MeshPreviewer::accept(const Sample& sample) {
         return;
     }
     if (pending.use == Pending::Use::albedo) return accept_albedo(pending.pixel, sample);
+    climb_.learn(sample);
+    if (pending.use == Pending::Use::retrace) return accept_retrace(pending, sample, usable);
     learn_cost(sample);
+    climb();
     if (pending.use == Pending::Use::side)
         accept_side(pending, sample, usable);
     else
@@ -297,18 +310,19 @@ void MeshPreviewer::accept_pixel(const Pending& pending, const Sample& sample, b
         item_seen(sample);
         return lattice_->accept(pending.pixel, sample, shaded(sample));
     }
+    LowSample* low = keep_low(sample, usable, pending.pixel);
     if (pending.use == Pending::Use::fill) return;
     const glm::dvec2 centre = squares_.centre(pending.pixel);
     bool meshed = false;
     for (double x : drawn_out(centre.x, width_))
         for (double y : drawn_out(centre.y, height_))
-            meshed = add_vertex({x, y}, pending.vertex, sample, usable) || meshed;
+            meshed = add_vertex({x, y}, pending.vertex, sample, usable, low) || meshed;
     if (usable) squares_.set_meshed(pending.pixel, meshed);
 }
 
 /// Only a corner of the image takes a failed sample, since it is a vertex anyhow.
 bool MeshPreviewer::add_vertex(glm::dvec2 position, VertexId near, const Sample& sample,
-                               bool usable) {
+                               bool usable, LowSample* low) {
     near = live(near);
     const bool corner =
         (position.x <= 0 || position.x >= width_) && (position.y <= 0 || position.y >= height_);
@@ -321,6 +335,7 @@ bool MeshPreviewer::add_vertex(glm::dvec2 position, VertexId near, const Sample&
             mesh_.answer(id, sample, item_seen(sample), shaded(sample));
         else
             mesh_.fail(id);
+        if (low) low->show_at(id, vertex);
     }
     recent_ = vertex;
     queue_around(vertex);
@@ -449,7 +464,7 @@ void MeshPreviewer::add_outline_errors(std::vector<double>& errors) const {
 }
 
 bool MeshPreviewer::done() const {
-    return pending_.empty() && squares_.answered() == squares_.pixels();
+    return pending_.empty() && squares_.answered() == squares_.pixels() && low_left_ == 0;
 }
 
 Picture MeshPreviewer::picture(Overlay overlay) const {
@@ -470,8 +485,13 @@ Picture MeshPreviewer::picture(Overlay overlay) const {
 }
 
 Statistics MeshPreviewer::statistics() const {
-    Statistics statistics{mesh_.triangulation().vertices(), mesh_.triangulation().constraints(),
-                          squares_.known(), mesh_.triangulation().labels().counts()};
+    Statistics statistics;
+    statistics.vertices = mesh_.triangulation().vertices();
+    statistics.constraints = mesh_.triangulation().constraints();
+    statistics.filled = squares_.known();
+    statistics.constraints_by_kind = mesh_.triangulation().labels().counts();
+    if (climb_.has_rungs()) statistics.rungs = climb_.standings();
+    statistics.below_target = low_left_;
     if (detail_) {
         statistics.items = detail_->known();
         statistics.albedos = detail_->albedos();
@@ -499,7 +519,9 @@ std::string MeshPreviewer::validate() const {
     t.for_each_edge([&](VertexId a, VertexId b, bool constrained) {
         if (!fault.empty() || !refinable(a, b, constrained)) return;
         // What is known of pixels changes as well; that is looked up when the edge's turn comes.
-        if (const auto now = weight(a, b)) require(a, b, detail_ ? 0 : *now);
+        // So does what samples of several rungs show.
+        const bool changes = detail_ || climb_.has_rungs();
+        if (const auto now = weight(a, b)) require(a, b, changes ? 0 : *now);
     });
     // What sides weigh changes with all that becomes known around them; it is looked up again when
     // their turn comes.

@@ -65,7 +65,8 @@ struct MeshOptions {
 class MeshPreviewer : public Previewer {
    public:
     /// REQUIRES: width and height at least 1.
-    MeshPreviewer(int width, int height, const MeshOptions& options = {});
+    MeshPreviewer(int width, int height, const MeshOptions& options = {},
+                  const Ladder& ladder = {});
 
     std::string_view name() const override;
     Parts parts() const override;
@@ -77,6 +78,7 @@ class MeshPreviewer : public Previewer {
     void accept_edges(std::vector<EdgeChain>&& chains) override;
     bool wants_items() const override { return options_.detail && (refining_ || lattice_); }
     void accept_items(const ItemBuffer& items) override;
+    void accept_target() override { climb_.target_ready(); }
     bool done() const override;
     Picture picture(Overlay overlay) const override;
     Statistics statistics() const override;
@@ -92,12 +94,13 @@ class MeshPreviewer : public Previewer {
    private:
     /// What an outstanding request is for.
     struct Pending {
-        enum class Use : std::uint8_t { fill, vertex, side, probe, albedo } use;
+        enum class Use : std::uint8_t { fill, vertex, side, probe, albedo, retrace } use;
         Pixel pixel = 0;              ///< fill, vertex, albedo
         VertexId vertex{};            ///< vertex: one nearby; side: the one it belongs to
         SampleId sample{};            ///< side
         std::uint32_t surface = any;  ///< side: what should be there; probe: the tracer's number
         bool retried = false;         ///< side: this is the second try
+        std::size_t low = 0;          ///< retrace: which of low_
 
         static constexpr std::uint32_t any = 0xffffffff;
     };
@@ -115,6 +118,7 @@ class MeshPreviewer : public Previewer {
     Stage edge_stage() const;
     Stage albedo_stage() const;
     Stage filling_stage() const;
+    Stage rising_stage() const;
     double vertex_share() const;
 
     void lay_grid();
@@ -122,6 +126,7 @@ class MeshPreviewer : public Previewer {
     std::size_t early_samples() const;
     bool seem_cheap() const;
     bool cost_known() const { return grid_costs_.size() == grid_.size(); }
+    bool is_dense(std::size_t square) const;
     std::optional<Request> request(Pending pending);
     std::optional<Request> next_in_lattice();
     std::optional<Request> refine();
@@ -170,8 +175,38 @@ class MeshPreviewer : public Previewer {
     void accept_albedo(Pixel pixel, const Sample& sample);
     void draw_detail(Picture& picture) const;
 
+    // The ladder of accuracy (mesh_rungs.cpp).
+    /// A sample traced below the target, to be traced again higher up.
+    struct LowSample {
+        glm::dvec2 position;
+        std::optional<Pixel> pixel;  ///< none: one-sided
+        /// Where the mesh shows it; up to four where the image is one pixel wide.
+        std::array<SampleId, 4> samples{};
+        std::array<VertexId, 4> vertices{};
+        std::uint32_t surface = 0;
+        RungLight light;     ///< as it was traced
+        bool known = false;  ///< else it failed
+        Rung rung = 0;
+        bool asked = false;  ///< for a higher rung
+
+        void show_at(SampleId sample, VertexId vertex);
+    };
+    RungLight light_of(const Sample& sample) const;
+    LowSample* keep_low(const Sample& sample, bool usable, std::optional<Pixel> pixel);
+    void climb();
+    void reach_target();
+    std::optional<Request> next_trial_above();
+    std::optional<Request> next_retrace(Rung rung);
+    Request ask_retrace(std::size_t low, Rung rung);
+    void accept_retrace(const Pending& pending, const Sample& sample, bool usable);
+    RungLight shifted(const LowSample& low, Rung rung) const;
+    void learn_shift(const LowSample& low, const Sample& sample);
+    void show(const LowSample& low, const RungLight& light);
+    void shift_all();
+
     void accept_pixel(const Pending& pending, const Sample& sample, bool usable);
-    bool add_vertex(glm::dvec2 position, VertexId near, const Sample& sample, bool usable);
+    bool add_vertex(glm::dvec2 position, VertexId near, const Sample& sample, bool usable,
+                    LowSample* low);
     VertexId live(VertexId near) const;
     std::optional<float> weight(VertexId a, VertexId b) const;
     bool refinable(VertexId a, VertexId b, bool constrained) const;
@@ -203,12 +238,20 @@ class MeshPreviewer : public Previewer {
     std::size_t trials_ = 0;                  // albedo rays asked for to learn what they cost
     std::vector<std::uint32_t> trial_costs_;  // of those, nanoseconds
     OutlineSearch search_;
-    std::size_t outline_rays_ = 0;           // spent on outlines
-    std::size_t waiting_since_ = 0;          // full rays when the next round's first edge was taken
+    std::size_t outline_rays_ = 0;   // spent on outlines
+    std::size_t waiting_since_ = 0;  // full rays when the next round's first edge was taken
+    RungClimb climb_;
+    std::vector<LowSample> low_;      // in the order of their answers: coarse to fine
+    std::size_t low_left_ = 0;        // of them below the target
+    std::size_t low_scanned_ = 0;     // of them need no request for the current rung
+    std::vector<RungShift> shifts_;   // from each rung to the next
+    std::size_t shift_learnt_ = 0;    // positions that they have learnt from
+    std::size_t shift_again_at_ = 0;  // shifts are applied again when so many have been learnt
+    bool retrace_turn_ = false;
     std::vector<std::uint32_t> grid_costs_;  // of the first samples, nanoseconds
     CostPlan plan_{0, false, false, true,
                    plan_by_cost(0, 0).vertex_budget};  // until they are known
-    std::array<Account, 5> accounts_;                  // by Pending::Use
+    std::array<Account, 6> accounts_;                  // by Pending::Use
     bool refining_ = true;
     std::optional<AdaptiveLattice> lattice_;  // once it has taken the triangulation's place
     std::vector<Pixel> anchors_;              // for the lattice: by item

@@ -98,10 +98,13 @@ void MeshPreviewer::accept_side(Pending side, const Sample& sample, bool usable)
             return;
         }
     }
-    if (usable && !strange)
+    if (usable && !strange) {
         mesh_.answer(side.sample, sample, item_seen(sample), shaded(sample));
-    else
+        if (LowSample* low = keep_low(sample, usable, std::nullopt))
+            low->show_at(side.sample, side.vertex);
+    } else {
         mesh_.fail(side.sample);
+    }
     queue_around(side.vertex);
 }
 

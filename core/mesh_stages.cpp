@@ -27,7 +27,8 @@ void MeshPreviewer::account(Pending::Use use, const Sample& sample) {
 
 std::vector<Stage> MeshPreviewer::stages() const {
     if (!cost_known()) return {};
-    return {triangulation_stage(), outline_stage(), edge_stage(), albedo_stage(), filling_stage()};
+    return {triangulation_stage(), outline_stage(), edge_stage(),
+            albedo_stage(),        filling_stage(), rising_stage()};
 }
 
 Stage MeshPreviewer::stage(std::string name, bool runs, std::string why,
@@ -104,6 +105,21 @@ Stage MeshPreviewer::albedo_stage() const {
                : text("one costs %.2g of a full sample", price);
     Stage result = stage("albedo rays", runs, why, {Pending::Use::albedo});
     if (!result.runs) result.expected = 0;
+    return result;
+}
+
+/// What was traced below the target, traced again.
+Stage MeshPreviewer::rising_stage() const {
+    std::string why = "nothing in the scene makes samples dear that could be left out";
+    if (climb_.has_rungs()) {
+        why.clear();
+        for (const RungStanding& rung : climb_.standings())
+            why += (why.empty() ? "" : ", ") + rung.name +
+                   (rung.cost_ns > 0 ? text(" %.3g us", rung.cost_ns * 1e-3) : "") +
+                   (rung.dropped ? " (gains nothing)" : "");
+    }
+    Stage result = stage("rising accuracy", climb_.has_rungs(), why, {Pending::Use::retrace});
+    result.expected = 0;
     return result;
 }
 

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/ladder.h"
 #include "core/previewer.h"
 
 namespace povpreview {
@@ -30,6 +31,7 @@ struct ImageFrame {
     /// What rays cost may decide what is asked for. False: as if that were never known, so that
     /// equal scenes give equal runs whatever the machine does beside.
     bool by_cost = true;
+    Ladder ladder{};  ///< of accuracy; those who cannot climb ask for the target alone
 };
 
 /// `name` is one of method_names().

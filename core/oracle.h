@@ -39,9 +39,15 @@ constexpr bool contains(Parts all, Parts part) {
 }
 constexpr bool contains_all(Parts all, Parts parts) { return (all | parts) == all; }
 
+/// How accurately a full ray is traced: a number from 0, the cheapest, up a ladder that the scene
+/// defines (see ladder.h). The top is always target_rung: what the renderer itself would compute.
+using Rung = std::uint8_t;
+inline constexpr Rung target_rung = 0xff;
+
 struct Request {
     glm::dvec2 position;  ///< pixel coordinates; need not lie inside the image
     RayKind kind = RayKind::full;
+    Rung rung = target_rung;  ///< full rays; a rung that is not ready is waited for
 };
 
 /// The shape of a ray tree, a hash per level: two samples with equal hashes at a level met the same
@@ -60,6 +66,7 @@ struct Signature {
 struct Sample {
     glm::dvec2 position{};
     RayKind kind = RayKind::full;
+    Rung rung = target_rung;    ///< full rays: traced at that asked for, or a higher one
     bool failed = false;        ///< the tracer could not answer; every other part is zero
     Parts parts{};              ///< full rays: those that were asked for; the others are zero
     glm::vec3 colour{};         ///< full rays
@@ -79,10 +86,11 @@ struct Sample {
 
 /// An ordered pipe: requests go in, samples come out in the order of the requests.
 ///
-/// A sample depends on its position and kind alone, never on what was traced before, on the
-/// batches, or on the number of threads. Faults of the tracer (death, stall, garbage) are mended or
-/// reported behind this interface: every request is answered in the end, if need be by a sample
-/// marked `failed`; what cannot be mended throws `Error`.
+/// A sample of the lowest rung or the target depends on its position and kind alone, never on what
+/// was traced before, on the batches, or on the number of threads; one of a rung between them may.
+/// Faults of the tracer (death, stall, garbage) are mended or reported behind this interface: every
+/// request is answered in the end, if need be by a sample marked `failed`; what cannot be mended
+/// throws `Error`.
 class SampleOracle {
    public:
     virtual ~SampleOracle() = default;

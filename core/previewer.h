@@ -11,6 +11,7 @@
 #include "core/image_edge.h"
 #include "core/oracle.h"
 #include "core/picture.h"
+#include "core/rung_climb.h"
 #include "core/stage.h"
 
 namespace povpreview {
@@ -27,6 +28,9 @@ struct Statistics {
     std::array<std::size_t, edge_kinds> constraints_by_kind{};
     // Of the DetailMap: pixels whose item is known, and whose albedo; samples that contradicted it.
     std::size_t items = 0, albedos = 0, contradicted = 0;
+    /// Of the ladder of accuracy, cheapest first; empty where there is only the target.
+    std::vector<RungStanding> rungs{};
+    std::size_t below_target = 0;  ///< samples shown that are still to be traced at the target
 };
 
 /// A way to choose samples and to make a picture of them. A pure state machine: it says which
@@ -54,6 +58,9 @@ class Previewer {
     virtual bool wants_items() const { return false; }
     /// That. May come at any time, once; of the size of the picture.
     virtual void accept_items(const ItemBuffer&) {}
+    /// Samples of the target rung can be traced from now on. Told to those alone that were made
+    /// with a ladder whose target was not ready.
+    virtual void accept_target() {}
     /// Every pixel shows a full sample of its own centre, and no answer is outstanding.
     virtual bool done() const = 0;
 

@@ -46,6 +46,7 @@ void SampleMemory::recall(const Sample& sample) {
 }
 
 const Sample* SampleMemory::find(const Request& request, Parts parts) const {
+    if (request.kind == RayKind::full && request.rung != target_rung) return nullptr;
     const auto known = memory_.find({request.position.x, request.position.y, request.kind});
     if (known == memory_.end()) return nullptr;
     const bool enough = request.kind != RayKind::full || contains_all(known->second.parts, parts);
@@ -54,7 +55,7 @@ const Sample* SampleMemory::find(const Request& request, Parts parts) const {
 
 /// Keeps what a pixel is made of.
 void SampleMemory::see(const Sample& sample) {
-    if (sample.kind != RayKind::full) return;
+    if (sample.kind != RayKind::full || sample.rung != target_rung) return;
     const double column = std::floor(sample.position.x), row = std::floor(sample.position.y);
     if (sample.position != glm::dvec2(column + .5, row + .5) || column < 0 || row < 0 ||
         column >= width_ || row >= height_)
@@ -90,7 +91,7 @@ void SampleMemory::collect(std::vector<Sample>& samples, std::chrono::nanosecond
             slot.sample = sample;
             slot.answered = true;
             --waiting_;
-            if (listener_) listener_(sample);
+            if (listener_ && sample.rung == target_rung) listener_(sample);
         }
     }
     while (!slots_.empty() && slots_.front().answered) {

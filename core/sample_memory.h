@@ -16,7 +16,8 @@ namespace povpreview {
 /// of what this run traces, and knows what all pixels are made of.
 ///
 /// Since a sample depends on its position and kind alone, a previewer whose earlier samples are
-/// recalled does what it did then, and goes on from there.
+/// recalled does what it did then, and goes on from there. Full samples below the target rung are
+/// neither kept nor told of: they are for the first look alone.
 class SampleMemory : public SampleOracle {
    public:
     /// Of a picture of `width` x `height` pixels. The oracle must outlive it.

@@ -9,7 +9,7 @@
 namespace povpreview::tracer {
 
 /// Sends what can be drawn of the scene without tracing, beside the tasks that trace.
-class GeometryTask : public pov::RenderTask {
+class GeometryTask : public pov::RenderTask, public BesideTask {
    public:
     GeometryTask(pov::ViewData* view, std::shared_ptr<const SharedScene> shared);
 

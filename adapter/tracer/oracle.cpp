@@ -48,6 +48,23 @@ void Oracle::start(const std::string& povray, unsigned threads) {
     wire_ = std::make_unique<WireEnd>(socket_, povray, threads, queue_, known_);
 }
 
+void Oracle::begin_first_look(std::int64_t samples) {
+    first_samples_left_ = samples;
+    first_look_from_ = Clock::now().time_since_epoch().count();
+}
+
+bool Oracle::first_look_over() {
+    if (!first_look_over_)
+        first_look_over_ =
+            first_samples_left_ <= 0 || preparation_first() || queue_.only_target_wanted();
+    return first_look_over_;
+}
+
+bool Oracle::preparation_first() const {
+    constexpr Clock::duration grace = std::chrono::milliseconds(900);
+    return Clock::now().time_since_epoch() - Clock::duration(first_look_from_) >= grace;
+}
+
 void Oracle::progress(Stage stage, std::uint64_t done, std::uint64_t total) {
     if (wire_) wire_->progress(stage, done, total);
 }

@@ -38,6 +38,19 @@ class Oracle {
     /// Says Hello. Called when the options are known.
     void start(const std::string& povray, unsigned threads);
 
+    /// The scene has been announced: the previewer makes a first picture, of about so many samples,
+    /// before photons and radiosity are prepared for the target.
+    void begin_first_look(std::int64_t samples);
+    /// So many full samples have been traced without preparation.
+    void note_early_samples(std::size_t count) {
+        first_samples_left_ -= static_cast<std::int64_t>(count);
+    }
+    /// Whether the previewer has had the tracer for itself long enough for a first picture, or has
+    /// no use for samples that come before the preparation.
+    bool first_look_over();
+    /// Whether the preparation comes first from now on, if both want the processors.
+    bool preparation_first() const;
+
     /// Progress of a stage that counts what it has done; `total` 0: not known.
     void progress(Stage stage, std::uint64_t done, std::uint64_t total);
     /// The same for a stage that several threads advance.
@@ -55,6 +68,7 @@ class Oracle {
     void fail(const std::string& text);
 
    private:
+    using Clock = std::chrono::steady_clock;
     Oracle();
 
     int socket_ = -1;
@@ -74,6 +88,9 @@ class Oracle {
 
     std::atomic<Stage> stage_{Stage::parsing};
     std::atomic<std::uint64_t> done_{0}, total_{0};
+    std::atomic<Clock::rep> first_look_from_{0};
+    std::atomic<std::int64_t> first_samples_left_{0};
+    std::atomic<bool> first_look_over_{false};
 };
 
 /// Short for use inside POV-Ray.

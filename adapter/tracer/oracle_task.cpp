@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "backend/oracle/oracle_task.h"
 
+#include <sys/resource.h>
+
 #include <chrono>
 #include <cmath>
 
@@ -12,10 +14,8 @@
 #include "base/povmsgid.h"
 // clang-format on
 
-#include "backend/oracle/finishing_pixel.h"
-#include "backend/oracle/geometry_task.h"
-#include "backend/oracle/scene_description.h"
 #include "backend/oracle/seed.h"
+#include "backend/oracle/trace_flags.h"
 #include "base/povdebug.h"
 
 namespace povpreview::tracer {
@@ -34,37 +34,73 @@ bool is_finite(const Rgb& c) {
 }  // namespace
 
 SharedScene::SharedScene(const pov::SceneData& scene, float version)
-    : linear(scene, version), surfaces(scene.objects) {}
+    : linear(scene, version),
+      surfaces(scene.objects),
+      early_cache(new pov::RadiosityCache(scene.radiositySettings)) {}
 
-OracleTask::OracleTask(pov::ViewData* view, std::shared_ptr<const SharedScene> shared)
+OracleTask::OracleTask(pov::ViewData* view, std::shared_ptr<const SharedScene> shared, Stage stage)
     : RenderTask(view),
       shared_(std::move(shared)),
+      stage_(stage),
+      quality_(view->GetQualityFeatureFlags()),
       trace_(view, GetViewDataPtr(), view->GetSceneData()->parsedMaxTraceLevel,
              view->GetSceneData()->parsedAdcBailout, view->GetQualityFeatureFlags(), cooperate_,
              media_, radiosity_),
       cooperate_(*this),
       media_(GetViewDataPtr(), &trace_, &photon_gatherer_),
       radiosity_(view->GetSceneData(), GetViewDataPtr(), view->GetSceneData()->radiositySettings,
-                 view->GetRadiosityCache(), cooperate_, true,
-                 pov::Vector3d(view->GetCamera().Location)),
+                 stage == Stage::early ? *shared_->early_cache : view->GetRadiosityCache(),
+                 cooperate_, true, pov::Vector3d(view->GetCamera().Location)),
       photon_gatherer_(&view->GetSceneData()->mediaPhotonMap, view->GetSceneData()->photonSettings),
       recorder_(shared_->surfaces) {
-    GetViewDataPtr()->qualityFlags = view->GetQualityFeatureFlags();
+    set_rung(RungKind::target);
 }
 
 void OracleTask::Run() {
-    Oracle::instance().serve();
+    const bool final = stage_ == Stage::final;
+    if (final) Oracle::instance().serve();
     WorkQueue& queue = Oracle::instance().queue();
     // Samples must not depend on what was traced before, so nothing is added to the radiosity
     // cache any more; each sample starts the same pattern of directions.
-    radiosity_.Freeze();
+    if (final) radiosity_.Freeze();
     radiosity_.BeforeTile(0);
-    while (true) {
+    while (final || !queue.target_released()) {
         Cooperate();
-        const Slice slice = queue.take(patience);
+        if (!final) give_way();
+        const Slice slice = queue.take(patience, final);
         if (slice.count > 0) trace_slice(slice);
         if (slice.count == 0 && queue.finished()) return;  // the image is wanted
     }
+    radiosity_.AfterTile();
+}
+
+/// A while after the previewer has had its first look, preparing the target comes first.
+void OracleTask::give_way() {
+    constexpr int niceness = 10;  // about a tenth of a processor that others want as well
+    if (gives_way_ || !Oracle::instance().preparation_first()) return;
+    gives_way_ = true;
+    setpriority(PRIO_PROCESS, 0, niceness);  // of this thread alone, on Linux
+}
+
+/// The rung that a batch is traced at: that asked for, or a higher one. Samples that were to do
+/// without preparation have the target as soon as it is ready.
+RungKind OracleTask::rung_for(const Batch& batch) const {
+    const std::size_t last = shared_->rungs.size() - 1;
+    const RungKind rung = shared_->rungs[std::min<std::size_t>(batch.rung, last)];
+    if (rung == RungKind::unprepared && stage_ == Stage::final) return RungKind::target;
+    return rung;
+}
+
+void OracleTask::set_rung(RungKind rung) {
+    const bool sketch = rung == RungKind::sketch;
+    constexpr unsigned dear = Q_AREA_LIGHT | Q_SUBSURFACE | Q_ADVANCED_LIGHT;
+    const unsigned all = GetViewData()->GetQualityFeatureFlags();
+    rung_ = rung;
+    quality_ = sketch ? all & ~dear : all;
+    trace_.SetQualityFlags(quality_);
+    const bool photons = !sketch && stage_ == Stage::final;
+    GetViewDataPtr()->qualityFlags =
+        all | (photons ? 0 : ignore_photons) | (sketch ? coarse_media : 0);
 }
 
 void OracleTask::Finish() {
@@ -76,6 +112,7 @@ void OracleTask::Finish() {
 void OracleTask::trace_slice(const Slice& slice) {
     const Batch& batch = *slice.batch;
     samples_.clear();
+    set_rung(batch.kind == RayKind::full ? rung_for(batch) : RungKind::target);
     const Clock::time_point start = Clock::now();
     Clock::time_point before = start;
     for (std::size_t i = slice.first; i < slice.first + slice.count; ++i) {
@@ -86,8 +123,11 @@ void OracleTask::trace_slice(const Slice& slice) {
             static_cast<std::uint32_t>(std::min<std::int64_t>(cost.count(), UINT32_MAX));
         before = after;
     }
-    Oracle::instance().queue().learn(batch.kind, slice.count, before - start);
-    Oracle::instance().wire().send_answer(slice, samples_);
+    if (stage_ == Stage::early && batch.kind == RayKind::full)
+        Oracle::instance().note_early_samples(slice.count);
+    Oracle::instance().queue().learn(batch, slice.count, before - start);
+    const std::uint8_t rung = rung_ == RungKind::target ? target_rung : batch.rung;
+    Oracle::instance().wire().send_answer(slice, rung, samples_);
     GetViewDataPtr()->AfterTile();  // lets the cache of the crackle pattern shrink
 }
 
@@ -112,7 +152,7 @@ Sample OracleTask::trace_sample(const Batch& batch, Position position) {
         sample = Sample{};
         sample.failed = true;
         trace_.SetRecorder(nullptr);
-        trace_.SetQualityFlags(GetViewData()->GetQualityFeatureFlags());
+        set_rung(rung_);
         trace_.ForgetRay();
     }
     return sample;
@@ -121,7 +161,7 @@ Sample OracleTask::trace_sample(const Batch& batch, Position position) {
 void OracleTask::trace_full(const Batch& batch, Position position, Sample& sample) {
     const bool guide = batch.parts.surface || batch.parts.signature;
     // Under focal blur there is no one surface in a sample: that of the central ray stands for it.
-    const bool blurred = trace_.HasFocalBlur();
+    const bool blurred = trace_.HasFocalBlur() && rung_ != RungKind::sketch;
     if (guide && blurred) trace_guide(batch, position, sample);
 
     const bool record = batch.parts.shading || (guide && !blurred);
@@ -130,7 +170,11 @@ void OracleTask::trace_full(const Batch& batch, Position position, Sample& sampl
     reseed(position);
     const auto& view = *GetViewData();
     pov::Colour colour;
-    trace_(position.x - 0.5, position.y - 0.5, view.GetWidth(), view.GetHeight(), colour);
+    const double x = position.x - 0.5, y = position.y - 0.5;
+    if (rung_ == RungKind::sketch)
+        trace_.TraceCentre(x, y, view.GetWidth(), view.GetHeight(), colour);
+    else
+        trace_(x, y, view.GetWidth(), view.GetHeight(), colour);
     trace_.SetRecorder(nullptr);
 
     sample.light = shared_->linear(pov::RGBColour(colour));
@@ -140,15 +184,16 @@ void OracleTask::trace_full(const Batch& batch, Position position, Sample& sampl
     sample.failed = !is_finite(sample.light);
 }
 
-/// Probe and albedo rays: POV-Ray's colour is not used, nor media and fog.
+/// Probe and albedo rays: POV-Ray's colour is not used, nor media and fog. They are the same at any
+/// time: where photons are not shot yet, they will be.
 void OracleTask::trace_guide(const Batch& batch, Position position, Sample& sample) {
     const bool albedo = batch.kind == RayKind::albedo;
-    const unsigned quality = GetViewData()->GetQualityFeatureFlags();
     const auto& view = *GetViewData();
     pov::Colour ignored;
     recorder_.begin(albedo ? RayKind::albedo : RayKind::probe, albedo, batch.parts.signature);
     trace_.SetRecorder(&recorder_);
-    trace_.SetQualityFlags(quality & ~Q_VOLUME);
+    trace_.SetQualityFlags(quality_ & ~Q_VOLUME);
+    GetViewDataPtr()->qualityFlags = quality_ | (stage_ == Stage::early ? presume_photons : 0);
     reseed(position);
     trace_.TraceCentre(position.x - 0.5, position.y - 0.5, view.GetWidth(), view.GetHeight(),
                        ignored);
@@ -159,7 +204,7 @@ void OracleTask::trace_guide(const Batch& batch, Position position, Sample& samp
         trace_(position.x - 0.5, position.y - 0.5, view.GetWidth(), view.GetHeight(), ignored);
     }
     if (albedo) sample.albedo = shared_->linear(recorder_.albedo());
-    trace_.SetQualityFlags(quality);
+    set_rung(rung_);
     trace_.SetRecorder(nullptr);
 }
 
@@ -180,45 +225,8 @@ void OracleTask::reseed(Position position) {
     const std::size_t seed = seed_of(position);
     trace_.Reseed(seed);
     media_.Reseed(seed);
-    radiosity_.Reseed(seed);
-}
-
-namespace {
-
-void announce(pov::ViewData* view, bool antialias, const std::string& output,
-              std::shared_ptr<const SharedScene> shared) {
-    Oracle& oracle = Oracle::instance();
-    SceneFacts facts = describe_scene(*view, antialias, shared->linear);
-    facts.alpha = view->GetSceneData()->outputAlpha;
-    facts.output = output;
-    facts.files = oracle.files_read();
-    oracle.known().set_size(facts.width, facts.height);
-    set_finishing_light({shared, &shared->linear});
-    oracle.wire().send_scene(facts);
-}
-
-}  // namespace
-
-std::vector<pov::ViewThreadData*> append_oracle_tasks(pov::TaskQueue& tasks, pov::ViewData& view,
-                                                      POVMS_Object& options, int threads) {
-    const auto shared = std::make_shared<const SharedScene>(
-        *view.GetSceneData(), options.TryGetFloat(kPOVAttrib_Version, 0.0f));
-    const bool antialias = options.TryGetBool(kPOVAttrib_Antialias, false);
-    const bool to_file = options.TryGetBool(kPOVAttrib_OutputToFile, true);
-    const std::string output =
-        to_file ? pov_base::UCS2toASCIIString(options.TryGetUCS2String(kPOVAttrib_OutputFile, ""))
-                : "";
-    tasks.AppendFunction([&view, antialias, output, shared](pov::TaskQueue&) {
-        announce(&view, antialias, output, shared);
-    });
-    std::vector<pov::ViewThreadData*> data;
-    if (Oracle::instance().geometry_wanted())
-        data.push_back(
-            dynamic_cast<pov::ViewThreadData*>(tasks.AppendTask(new GeometryTask(&view, shared))));
-    for (int i = 0; i < threads; ++i)
-        data.push_back(
-            dynamic_cast<pov::ViewThreadData*>(tasks.AppendTask(new OracleTask(&view, shared))));
-    return data;
+    // Gathers for a cache that is kept shall not all use the same directions.
+    if (stage_ == Stage::final) radiosity_.Reseed(seed);
 }
 
 }  // namespace povpreview::tracer

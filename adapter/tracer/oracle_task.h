@@ -14,6 +14,8 @@
 #include "backend/render/tracepixel.h"
 // clang-format on
 
+#include "backend/oracle/beside_task.h"
+#include "backend/oracle/ladder.h"
 #include "backend/oracle/linear_light.h"
 #include "backend/oracle/oracle.h"
 #include "backend/oracle/sample_recorder.h"
@@ -27,19 +29,28 @@ struct SharedScene {
 
     LinearLight linear;
     SurfaceIndex surfaces;
+    std::vector<RungKind> rungs;  ///< cheapest first, the target last
+    /// Of radiosity, for samples that come before the scene's own is prepared.
+    std::unique_ptr<pov::RadiosityCache> early_cache;
 };
 
-/// One of POV-Ray's threads tracing samples to order, for as long as the previewer lives.
+/// One of POV-Ray's threads tracing samples to order.
 ///
-/// Stands where POV-Ray's own TraceTask stands, after photons and radiosity pretrace. A sample
-/// depends on its position alone: all generators of random numbers start anew from it.
-class OracleTask : public pov::RenderTask {
+/// A sample of the lowest rung and of the target depends on its position alone: all generators of
+/// random numbers start anew from it.
+class OracleTask : public pov::RenderTask, public BesideTask {
    public:
-    OracleTask(pov::ViewData* view, std::shared_ptr<const SharedScene> shared);
+    enum class Stage {
+        early,  ///< beside photons and radiosity pretrace, for all rungs but the target
+        final   ///< where POV-Ray's own TraceTask stands, for as long as the previewer lives
+    };
+
+    OracleTask(pov::ViewData* view, std::shared_ptr<const SharedScene> shared, Stage stage);
 
     void Run() override;
     void Stopped() override {}
     void Finish() override;
+    bool is_beside() const override { return stage_ == Stage::early; }
 
    private:
     class CooperateFunction : public pov::Trace::CooperateFunctor {
@@ -51,7 +62,10 @@ class OracleTask : public pov::RenderTask {
         pov::Task& task_;
     };
 
+    void give_way();
     void trace_slice(const Slice& slice);
+    RungKind rung_for(const Batch& batch) const;
+    void set_rung(RungKind rung);
     Sample trace_sample(const Batch& batch, Position position);
     void trace_full(const Batch& batch, Position position, Sample& sample);
     void trace_guide(const Batch& batch, Position position, Sample& sample);
@@ -59,6 +73,10 @@ class OracleTask : public pov::RenderTask {
     void reseed(Position position);
 
     std::shared_ptr<const SharedScene> shared_;
+    Stage stage_;
+    RungKind rung_ = RungKind::target;
+    unsigned quality_;  ///< POV-Ray's quality flags for that rung
+    bool gives_way_ = false;
     pov::TracePixel trace_;
     CooperateFunction cooperate_;
     pov::MediaFunction media_;
@@ -67,11 +85,5 @@ class OracleTask : public pov::RenderTask {
     SampleRecorder recorder_;
     std::vector<Sample> samples_;
 };
-
-/// Replaces the tasks that render an image: queues the announcement of the scene to the previewer
-/// and the tasks that answer it, and the one that sends the geometry. Returns their thread data for
-/// POV-Ray's statistics.
-std::vector<pov::ViewThreadData*> append_oracle_tasks(pov::TaskQueue& tasks, pov::ViewData& view,
-                                                      POVMS_Object& options, int threads);
 
 }  // namespace povpreview::tracer

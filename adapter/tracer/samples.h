@@ -14,6 +14,9 @@ namespace povpreview::tracer {
 /// As wire::RayKind and core/oracle.h.
 enum class RayKind : std::uint8_t { full, probe, albedo };
 
+/// The rung of the finished render; those below it are numbered from 0, the cheapest.
+constexpr std::uint8_t target_rung = 0xff;
+
 /// Which vectors an answer carries; as wire::Parts, plus the colour that only full rays have.
 struct Parts {
     bool light = false;
@@ -50,8 +53,11 @@ struct Sample {
 struct Batch {
     std::uint64_t number = 0;
     RayKind kind = RayKind::full;
+    std::uint8_t rung = target_rung;  ///< of full rays
     Parts parts;
     std::vector<Position> positions;
+
+    bool wants_target() const { return kind == RayKind::full && rung == target_rung; }
 };
 
 /// A chunk of the finished picture; as wire::Image.

@@ -31,6 +31,12 @@ struct LightFacts {
     bool in_group = false;
 };
 
+/// As wire::Rung.
+struct RungFacts {
+    std::string name;
+    bool ready = true;  ///< else a message will say so later
+};
+
 /// What the previewer is told about a scene; as wire::Scene.
 struct SceneFacts {
     unsigned width = 0, height = 0;
@@ -44,6 +50,7 @@ struct SceneFacts {
     bool alpha = false;
     std::string output;
     std::vector<std::string> files;
+    std::vector<RungFacts> rungs;  ///< cheapest first, the target last
 };
 
 }  // namespace povpreview::tracer

@@ -52,8 +52,14 @@ void WireEnd::send_scene(const SceneFacts& scene) {
     send(scene_frame(scene));
 }
 
-void WireEnd::send_answer(const Slice& slice, const std::vector<Sample>& samples) {
-    send(answer_frame(slice, samples));
+void WireEnd::send_answer(const Slice& slice, std::uint8_t rung,
+                          const std::vector<Sample>& samples) {
+    send(answer_frame(slice, rung, samples));
+}
+
+void WireEnd::send_target_ready() {
+    stage_ = Stage::ready;
+    send(target_ready_frame());
 }
 
 void WireEnd::send_geometry(const GeometryChunk& chunk) { send(geometry_frame(chunk)); }

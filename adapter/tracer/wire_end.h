@@ -44,7 +44,10 @@ class WireEnd {
     /// Cheap enough for inner loops. A later stage ends the earlier one; `ready` ends progress.
     void progress(Stage stage, std::uint64_t done, std::uint64_t total);
     void send_scene(const SceneFacts& scene);
-    void send_answer(const Slice& slice, const std::vector<Sample>& samples);
+    /// `rung`: the one that full samples were traced at, that asked for or a higher one.
+    void send_answer(const Slice& slice, std::uint8_t rung, const std::vector<Sample>& samples);
+    /// The target can be traced from now on; ends progress.
+    void send_target_ready();
     void send_geometry(const GeometryChunk& chunk);
     void send_texels(const TexelChunk& chunk);
     /// Whether something waits to be sent.

@@ -72,17 +72,21 @@ Frame scene_frame(const SceneFacts& scene) {
         std::vector<std::string>(scene.features.begin(), scene.features.end()));
     const auto textures = builder.CreateVector(counts(builder, scene.textures));
     const auto objects = builder.CreateVector(counts(builder, scene.objects));
+    std::vector<Offset<wire::Rung>> rungs;
+    for (const RungFacts& rung : scene.rungs)
+        rungs.push_back(wire::CreateRungDirect(builder, rung.name.c_str(), rung.ready));
+    const auto rung_vector = builder.CreateVector(rungs);
     const wire::Vec3f background = vec3f(scene.background);
     const auto output = builder.CreateString(scene.output);
     const auto files = builder.CreateVectorOfStrings(scene.files);
     const auto message =
         wire::CreateScene(builder, scene.width, scene.height, scene.working_gamma, scene.antialias,
                           camera(builder, scene.camera), builder.CreateVector(lights), features,
-                          textures, objects, &background, scene.alpha, output, files);
+                          textures, objects, &background, scene.alpha, output, files, rung_vector);
     return wire_frame(builder, wire::Report_Scene, message);
 }
 
-Frame answer_frame(const Slice& slice, const std::vector<Sample>& samples) {
+Frame answer_frame(const Slice& slice, std::uint8_t rung, const std::vector<Sample>& samples) {
     FlatBufferBuilder builder(samples.size() * 112 + 256);
     const Parts wanted = slice.batch->parts;
     const auto light = parts<wire::Light>(builder, wanted.light, samples, [](const Sample& s) {
@@ -112,8 +116,13 @@ Frame answer_frame(const Slice& slice, const std::vector<Sample>& samples) {
     const auto message =
         wire::CreateAnswer(builder, slice.batch->number, static_cast<std::uint32_t>(slice.first),
                            static_cast<std::uint32_t>(slice.count), light, surface, shading,
-                           signature, cost_vector, failed_vector);
+                           signature, cost_vector, failed_vector, rung);
     return wire_frame(builder, wire::Report_Answer, message);
+}
+
+Frame target_ready_frame() {
+    FlatBufferBuilder builder;
+    return wire_frame(builder, wire::Report_TargetReady, wire::CreateTargetReady(builder));
 }
 
 Frame failure_frame(const std::string& message, const std::string& file, unsigned line) {
@@ -133,6 +142,7 @@ std::shared_ptr<Batch> read_trace(const wire::Trace& trace, std::size_t max_posi
     auto batch = std::make_shared<Batch>();
     batch->number = trace.batch();
     batch->kind = static_cast<RayKind>(trace.kind());
+    batch->rung = trace.rung();
     const auto asked = static_cast<unsigned>(trace.parts());
     const bool full = batch->kind == RayKind::full, probe = batch->kind == RayKind::probe;
     batch->parts.light = full;

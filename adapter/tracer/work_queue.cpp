@@ -15,13 +15,22 @@ bool WorkQueue::add(std::shared_ptr<const Batch> batch) {
     {
         const std::lock_guard lock(mutex_);
         const std::size_t size = batch->positions.size();
-        if (size > max_waiting - waiting_) return false;
+        if (size > max_waiting - waiting_ - held_positions_) return false;
         if (size == 0) return true;
-        waiting_ += size;
-        batches_.push_back(std::move(batch));
+        if (batch->wants_target() && !target_released_) {
+            held_positions_ += size;
+            held_.push_back(std::move(batch));
+            return true;
+        }
+        append(std::move(batch));
     }
     filled_.notify_all();
     return true;
+}
+
+void WorkQueue::append(std::shared_ptr<const Batch> batch) {
+    waiting_ += batch->positions.size();
+    batches_.push_back(std::move(batch));
 }
 
 void WorkQueue::close() {
@@ -34,13 +43,36 @@ void WorkQueue::close() {
 
 bool WorkQueue::finished() {
     const std::lock_guard lock(mutex_);
-    return closed_ && waiting_ == 0;
+    return closed_ && waiting_ + held_positions_ == 0;
 }
 
-Slice WorkQueue::take(std::chrono::nanoseconds patience) {
+void WorkQueue::release_target() {
+    {
+        const std::lock_guard lock(mutex_);
+        target_released_ = true;
+        for (std::shared_ptr<const Batch>& batch : held_) append(std::move(batch));
+        held_.clear();
+        held_positions_ = 0;
+    }
+    filled_.notify_all();
+}
+
+bool WorkQueue::target_released() {
+    const std::lock_guard lock(mutex_);
+    return target_released_;
+}
+
+bool WorkQueue::only_target_wanted() {
+    const std::lock_guard lock(mutex_);
+    return waiting_ == 0 && held_positions_ > 0;
+}
+
+Slice WorkQueue::take(std::chrono::nanoseconds patience, bool for_target) {
     std::unique_lock lock(mutex_);
-    if (!filled_.wait_for(lock, patience, [this] { return waiting_ > 0 || closed_; })) return {};
-    if (waiting_ == 0) return {};
+    const auto over = [&] { return target_released_ && !for_target; };
+    if (!filled_.wait_for(lock, patience, [&] { return waiting_ > 0 || closed_ || over(); }))
+        return {};
+    if (waiting_ == 0 || over()) return {};
     Slice slice;
     slice.batch = batches_.front();
     slice.first = taken_;
@@ -56,7 +88,7 @@ Slice WorkQueue::take(std::chrono::nanoseconds patience) {
 
 std::size_t WorkQueue::slice_size(const Batch& batch) const {
     const auto by_time = static_cast<std::size_t>(static_cast<double>(slice_time.count()) /
-                                                  cost_[static_cast<std::size_t>(batch.kind)]);
+                                                  cost_[cost_class(batch)]);
     const std::size_t left = batch.positions.size() - taken_;
     std::size_t size = std::min({std::max<std::size_t>(1, by_time), max_slice, left});
     if (waiting_ == left)  // the last batch
@@ -64,10 +96,17 @@ std::size_t WorkQueue::slice_size(const Batch& batch) const {
     return size;
 }
 
-void WorkQueue::learn(RayKind kind, std::size_t count, std::chrono::nanoseconds cost) {
+/// Rays by kind, and full rays of the lowest rung and of those between it and the target.
+std::size_t WorkQueue::cost_class(const Batch& batch) {
+    if (batch.kind != RayKind::full || batch.rung == target_rung)
+        return static_cast<std::size_t>(batch.kind);
+    return batch.rung == 0 ? 3 : 4;
+}
+
+void WorkQueue::learn(const Batch& batch, std::size_t count, std::chrono::nanoseconds cost) {
     if (count == 0) return;
     const std::lock_guard lock(mutex_);
-    double& mean = cost_[static_cast<std::size_t>(kind)];
+    double& mean = cost_[cost_class(batch)];
     const double seen = static_cast<double>(cost.count()) / static_cast<double>(count);
     // A dearer sample is believed at once, a cheaper one by halves: costs vary over the image, and
     // a slice that is too long delays an answer, while one that is too short costs little.

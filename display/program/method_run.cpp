@@ -69,7 +69,7 @@ MethodRun run_ours(const std::string& method, const ComparedScene& compared,
         [&](const std::string& text) { line.show(compared.name + ", " + method + ": " + text); },
         interrupted, foreknowledge_for(method_needs(method), options.mirror_depth));
     check_size({scene.description().width, scene.description().height}, compared.reference);
-    StrategyRun run(method, scene, scene.oracle());
+    StrategyRun run(method, scene, scene.oracle(), scene.accuracy(options.accuracy));
     MethodRun result;
     std::size_t most_memory = 0;
     int next = 0;

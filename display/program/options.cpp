@@ -89,6 +89,14 @@ void add_time(CLI::App& app, Options& options) {
         ->option_text("SECONDS");
 }
 
+template <class Options>
+void add_accuracy(CLI::App& app, Options& options) {
+    app.add_option("--accuracy", options.accuracy,
+                   "Stay on one rung of the scene's ladder of accuracy, named or numbered from 0, "
+                   "such as sketch or target (default: rise from the lowest to the target)")
+        ->option_text("NAME");
+}
+
 /// Where a command writes its results.
 template <class Options>
 void add_out(CLI::App& app, Options& options) {
@@ -191,6 +199,7 @@ void read_preview(const std::vector<std::string>& words, CommandLine& result) {
         ->option_text("FILE");
     add_finish(app, options, memory_mib);
     add_time(app, options);
+    add_accuracy(app, options);
     add_common(app, options);
     parse(app, words, options.povray, result);
     if (!result.text.empty()) return;
@@ -236,6 +245,7 @@ void read_compare(const std::vector<std::string>& words, CommandLine& result) {
         ->check(CLI::Range(1, 512))
         ->option_text("N");
     add_time(app, options);
+    add_accuracy(app, options);
     add_common(app, options);
     parse(app, words, options.povray, result);
     if (!result.text.empty()) return;

@@ -33,6 +33,7 @@ struct PreviewOptions {
     std::filesystem::path snapshots, log, output;  ///< empty: not wanted
     std::filesystem::path reference;  ///< finished picture that captions measure against, or empty
     int mirror_depth = 1;             ///< edges are found in mirrors seen in mirrors, so many deep
+    std::string accuracy;  ///< rung of the ladder to stay on; empty: from the lowest to the target
     double stall_timeout = 60;
     bool allow_writing = false;     ///< scenes may write files beside themselves
     bool finish = false;            ///< POV-Ray's image is made in the end
@@ -50,6 +51,7 @@ struct CompareOptions {
     int repeat = 1;              ///< runs of each method on each scene
     int threads = 0;             ///< that trace, and cores for everything; 0: all of the machine
     int mirror_depth = 1;
+    std::string accuracy;
     Backend backend = Backend::automatic;
     double stall_timeout = 60;
     bool allow_writing = false;  ///< scenes may write files beside themselves

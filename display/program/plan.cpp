@@ -49,7 +49,7 @@ Exit plan(const PlanOptions& options) {
         {.stall_timeout_s = options.stall_timeout, .writes = options.allow_writing},
         [&](const std::string& what) { line.show(what); }, interrupted,
         foreknowledge_for(method_needs("mesh"), options.mirror_depth));
-    StrategyRun run("mesh", scene, scene.oracle());
+    StrategyRun run("mesh", scene, scene.oracle(), std::nullopt);
     // The first samples tell what rays cost, the item buffer what of the pixels is known.
     while (!interrupted() && run.advance(2ms) &&
            (run.stages().empty() || !scene.items_finished())) {

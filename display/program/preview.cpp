@@ -64,7 +64,7 @@ class Preview {
         if (options_.finish) check_image(scene_->description().output);
         open_window();
         lanes_.emplace(samples());
-        main_.emplace(options_.method, *scene_, lanes_->lane(0), !options_.samples);
+        main_.emplace(options_.method, *scene_, lanes_->lane(0), accuracy(), !options_.samples);
         if (!options_.log.empty()) log_.emplace(options_.log);
         if (const std::string missing = Sandbox::missing(); log_ && !missing.empty())
             log_->write_event(scene_->time_s(), missing);
@@ -159,6 +159,13 @@ class Preview {
         return foreknowledge_for(needs, options_.mirror_depth);
     }
 
+    /// How fast a rung of the ladder is climbed depends on what samples cost; a run of so many
+    /// samples shall come out the same each time.
+    std::optional<Rung> accuracy() const {
+        if (options_.samples && options_.accuracy.empty()) return target_rung;
+        return scene_->accuracy(options_.accuracy);
+    }
+
     bool stopped_early() const { return interrupted() || (window_ && window_->controls().closed); }
 
     // ---- the loop
@@ -173,7 +180,8 @@ class Preview {
         going_ = main_->advance(2ms);
         if (beside_wanted()) {
             if (!beside_)
-                beside_.emplace(beside_method(), *scene_, lanes_->lane(1), !options_.samples);
+                beside_.emplace(beside_method(), *scene_, lanes_->lane(1), accuracy(),
+                                !options_.samples);
             beside_->session().limit_full(main_->samples());
             going_ |= beside_->advance(0ms) && beside_->samples() < main_->samples();
         }
@@ -195,9 +203,11 @@ class Preview {
         return options_.beside.empty() ? "blocks" : options_.beside;
     }
 
-    /// The second method is traced only where it is shown.
+    /// The second method is traced only where it is shown, and only when it can be: both share a
+    /// pipe, and it would block that for the first with samples that must wait.
     bool beside_wanted() const {
         if (options_.beside == "none") return false;
+        if (!scene_->preparation().empty() && !accuracy()) return false;
         if (window_) return window_->controls().beside;
         return !options_.beside.empty() || !options_.snapshots.empty();
     }
@@ -218,7 +228,9 @@ class Preview {
 
     void show_progress(double now) {
         const Standing standing = main_->standing();
-        line_.show(Progress{.state = going_ ? "refining" : "complete",
+        const std::string preparing = scene_->preparation();
+        const std::string refining = preparing.empty() ? "refining" : preparing + "; refining";
+        line_.show(Progress{.state = going_ ? refining : "complete",
                             .samples = standing.full,
                             .pixels = pixel_count(),
                             .samples_per_second = now > 0 ? double(standing.full) / now : 0,

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "core/fixed_rung.h"
 #include "core/methods.h"
 #include "core/session.h"
 #include "display/program/progress_log.h"
@@ -15,11 +17,14 @@ namespace povpreview {
 /// One method at work on a scene.
 class StrategyRun {
    public:
+    /// `accuracy`: the rung to stay on; if none is given, those methods that can rise from the
+    /// lowest to the target, and the others are traced at the target.
     StrategyRun(const std::string& method, TracedScene& scene, SampleOracle& oracle,
-                bool by_cost = true)
+                std::optional<Rung> accuracy, bool by_cost = true)
         : scene_(scene),
-          previewer_(make_previewer(method, scene.frame(by_cost))),
-          session_(*previewer_, oracle),
+          fixed_rung_(oracle, accuracy.value_or(target_rung)),
+          previewer_(make_previewer(method, scene.frame(accuracy.has_value(), by_cost))),
+          session_(*previewer_, accuracy ? static_cast<SampleOracle&>(fixed_rung_) : oracle),
           wants_edges_(previewer_->wants_edges()),
           wants_items_(previewer_->wants_items()) {
         if (wants_edges_) scene_.claim_edges();
@@ -28,6 +33,10 @@ class StrategyRun {
     Session& session() { return session_; }
     /// Session::advance, with what has become known without tracing since.
     bool advance(std::chrono::nanoseconds patience) {
+        if (wants_target_ && scene_.oracle().target_ready()) {
+            previewer_->accept_target();
+            wants_target_ = false;
+        }
         if (wants_items_) take_items();
         if (wants_edges_ && !wants_items_) take_edges();
         return session_.advance(patience);
@@ -81,9 +90,10 @@ class StrategyRun {
     }
 
     TracedScene& scene_;
+    FixedRung fixed_rung_;
     std::unique_ptr<Previewer> previewer_;
     Session session_;
-    bool wants_edges_ = false, wants_items_ = false;
+    bool wants_edges_ = false, wants_items_ = false, wants_target_ = true;
     std::size_t edges_taken_ = 0;  // of the scene's
 };
 

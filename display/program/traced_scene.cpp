@@ -106,9 +106,18 @@ TracedScene::TracedScene(const PovrayOptions& povray, const TracerWishes& wishes
         wants_items_ && std::int64_t{description_.width} * description_.height <= most_item_pixels;
 }
 
-ImageFrame TracedScene::frame(bool by_cost) const {
-    return {description_.width, description_.height, description_.camera.blur_samples == 0,
-            by_cost};
+ImageFrame TracedScene::frame(bool fixed_accuracy, bool by_cost) const {
+    return {description_.width, description_.height, description_.camera.blur_samples == 0, by_cost,
+            fixed_accuracy ? Ladder{} : description_.ladder};
+}
+
+std::optional<Rung> TracedScene::accuracy(const std::string& named) const {
+    if (named.empty()) return std::nullopt;
+    return rung_named(description_.ladder, named);
+}
+
+std::string TracedScene::preparation() const {
+    return oracle_.target_ready() ? "" : sentence(oracle_.preparation());
 }
 
 /// Both searches begin with the scene as it can be drawn; that is made once, in a thread of its

@@ -50,7 +50,13 @@ class TracedScene {
 
     PovrayOracle& oracle() { return oracle_; }
     const SceneDescription& description() const { return description_; }
-    ImageFrame frame(bool by_cost = true) const;
+    /// `fixed_accuracy`: without a ladder to climb.
+    ImageFrame frame(bool fixed_accuracy, bool by_cost) const;
+    /// The rung that was asked for by name; nothing if the name is empty. Throws Error.
+    std::optional<Rung> accuracy(const std::string& named) const;
+    /// What the tracer prepares the target with ("shooting photons, 12,000"); empty when that is
+    /// ready.
+    std::string preparation() const;
 
     /// The edges known by now without tracing, in the order of their coming. They are found beside
     /// everything else, as soon as the geometry has come.

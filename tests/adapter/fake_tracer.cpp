@@ -18,6 +18,7 @@
 //                  image (of another image), order (the second part first), many (one too many),
 //                  more (after all of them), half (dies within them), early (before the last
 //                  geometry)
+//   target_after=N the target rung is ready when N samples of other rungs have been answered
 //   parse=NAME     ends before the scene: error, exit, kill, refuse, hang, slow, bad_version,
 //                  no_hello, bad_size, tiny
 //   finish=NAME    when it has all pixels of the picture it tells of progress, writes them as text
@@ -76,6 +77,10 @@ class FakeTracer {
     void parse();
     void send_geometry() const;
     void send_texels() const;
+    bool is_held(const Order& order) const {
+        return order.kind == RayKind::full && order.rung == target_rung && !target_ready_;
+    }
+    void make_target_ready();
     void answer_one();
     void take_image(const Order::Image& part);
     Slice slice(const Order& order, std::uint32_t first, std::uint32_t count) const;
@@ -96,7 +101,8 @@ class FakeTracer {
     std::map<std::string, std::string> options_;
     Bytes in_;
     std::map<std::uint64_t, Order> orders_;
-    std::deque<Piece> pieces_;
+    std::deque<Piece> pieces_, held_;
+    bool target_ready_ = true;
     std::mt19937 random_{1};
     long answered_ = 0;
     std::vector<PixelLight> pixels_;
@@ -151,7 +157,8 @@ bool FakeTracer::read_orders(bool wait) {
         const auto count = static_cast<std::uint32_t>(order.positions.size());
         const auto step = static_cast<std::uint32_t>(number("slice", 16));
         for (std::uint32_t i = 0; i < count; i += step)
-            pieces_.push_back({order.batch, i, std::min(step, count - i)});
+            (is_held(order) ? held_ : pieces_)
+                .push_back({order.batch, i, std::min(step, count - i)});
         orders_[order.batch] = std::move(order);
     }
     in_.erase(in_.begin(), in_.begin() + static_cast<std::ptrdiff_t>(at));
@@ -180,8 +187,16 @@ void FakeTracer::parse() {
     if (how == "slow") usleep(400'000);
     if (how == "bad_size") send(scene_frame(0, 48));
     if (text("geometry") == "early") send(geometry_frame(small_geometry(), true));
-    send(how == "tiny" ? scene_frame(1, 1) : scene_frame(width, height));
+    target_ready_ = !has("target_after");
+    send(how == "tiny" ? scene_frame(1, 1) : scene_frame(width, height, target_ready_));
     if (has("geometry")) send_geometry();
+}
+
+void FakeTracer::make_target_ready() {
+    target_ready_ = true;
+    send(target_ready_frame());
+    pieces_.insert(pieces_.end(), held_.begin(), held_.end());
+    held_.clear();
 }
 
 void FakeTracer::send_geometry() const {
@@ -214,12 +229,14 @@ Slice FakeTracer::slice(const Order& order, std::uint32_t first, std::uint32_t c
             .samples = {},
             .kind = order.kind,
             .parts = order.parts,
-            .failed = {}};
+            .failed = {},
+            .rung = order.rung};
     for (std::uint32_t i = 0; i < count; ++i) {
         const glm::dvec2 p = order.positions[first + i];
         if (in_pixel("die_at", p)) die();
         if (in_pixel("fail_at", p)) s.failed.push_back(i);
         s.samples.push_back(sample_at(p));
+        s.samples.back().colour *= rung_scale(order.rung);
         if (in_pixel("nan_at", p))
             s.samples.back().colour.g = std::numeric_limits<float>::quiet_NaN();
     }
@@ -275,6 +292,7 @@ void FakeTracer::answer_one() {
     if (has("delay_us")) usleep(static_cast<useconds_t>(number("delay_us", 0)));
     send(answer_frame(right));
     answered_ += piece.count;
+    if (!target_ready_ && answered_ >= number("target_after", 0)) make_target_ready();
 }
 
 void FakeTracer::take_image(const Order::Image& part) {

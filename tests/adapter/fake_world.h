@@ -37,6 +37,11 @@ inline Sample sample_at(const glm::dvec2& p) {
     return s;
 }
 
+/// What the colour is multiplied by on a rung of the ladder; 1 on the target.
+inline float rung_scale(Rung rung) {
+    return rung == target_rung ? 1.F : .25F * static_cast<float>(rung + 1);
+}
+
 /// What is left of it for a ray of this kind.
 inline Sample sample_at(const glm::dvec2& p, RayKind kind, Parts parts) {
     const Sample all = sample_at(p);

@@ -38,7 +38,7 @@ Bytes progress_frame(std::uint8_t stage, std::uint64_t done, std::uint64_t total
                  wire::CreateProgress(b, static_cast<wire::Stage>(stage), done, total).Union());
 }
 
-Bytes scene_frame(std::uint32_t width, std::uint32_t height) {
+Bytes scene_frame(std::uint32_t width, std::uint32_t height, bool target_ready) {
     Builder b;
     const wire::Vec3d location(1, 2, -5), direction(0, 0, 1), right(1.33, 0, 0), up(0, 1, 0),
         sky(0, 1, 0), look_at(0, 0, 4);
@@ -54,10 +54,19 @@ Bytes scene_frame(std::uint32_t width, std::uint32_t height) {
     const std::vector objects{wire::CreateCountDirect(b, "sphere", 2),
                               wire::CreateCountDirect(b, "plane", 1)};
     const std::vector files{b.CreateString("x.pov"), b.CreateString("y.inc")};
+    const std::vector rungs{wire::CreateRungDirect(b, "sketch", true),
+                            wire::CreateRungDirect(b, "unprepared", true),
+                            wire::CreateRungDirect(b, "target", target_ready)};
     return frame(b, wire::Report::Scene,
                  wire::CreateSceneDirect(b, width, height, 2.2F, true, camera, &lights, &features,
-                                         &textures, &objects, &background, true, "out.png", &files)
+                                         &textures, &objects, &background, true, "out.png", &files,
+                                         &rungs)
                      .Union());
+}
+
+Bytes target_ready_frame() {
+    Builder b;
+    return frame(b, wire::Report::TargetReady, wire::CreateTargetReady(b).Union());
 }
 
 Bytes swollen_scene_frame(std::size_t count, std::size_t length) {
@@ -97,7 +106,7 @@ Bytes answer_frame(const Slice& slice) {
             !full || if_full(Parts::surface) ? &surface : nullptr,
             slice.kind == RayKind::albedo || if_full(Parts::shading) ? &shading : nullptr,
             slice.kind == RayKind::probe || if_full(Parts::signature) ? &signature : nullptr, &cost,
-            slice.failed.empty() ? nullptr : &slice.failed)
+            slice.failed.empty() ? nullptr : &slice.failed, slice.rung)
             .Union());
 }
 
@@ -295,7 +304,8 @@ Order decode_order(const Bytes& flatbuffer) {
     Order order{.batch = trace->batch(),
                 .kind = static_cast<RayKind>(trace->kind()),
                 .parts = static_cast<Parts>(trace->parts()),
-                .positions = {}};
+                .positions = {},
+                .rung = trace->rung()};
     for (const wire::Vec2d* p : *trace->positions()) order.positions.emplace_back(p->x(), p->y());
     return order;
 }

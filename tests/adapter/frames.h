@@ -26,12 +26,14 @@ struct Slice {
     RayKind kind = RayKind::full;
     Parts parts = Parts::colour;
     std::vector<std::uint32_t> failed;
+    Rung rung = target_rung;
 };
 
 Bytes hello_frame(std::uint32_t version);
 Bytes progress_frame(std::uint8_t stage, std::uint64_t done, std::uint64_t total);
-/// A scene that uses every field of the schema.
-Bytes scene_frame(std::uint32_t width, std::uint32_t height);
+/// A scene that uses every field of the schema: a ladder of three rungs.
+Bytes scene_frame(std::uint32_t width, std::uint32_t height, bool target_ready = true);
+Bytes target_ready_frame();
 /// A scene whose `features` are `count` times the same name of `length` characters, stored once.
 Bytes swollen_scene_frame(std::size_t count, std::size_t length);
 Bytes answer_frame(const Slice& slice);
@@ -60,6 +62,7 @@ struct Order {
     RayKind kind = RayKind::full;
     Parts parts = Parts::colour;
     std::vector<glm::dvec2> positions;
+    Rung rung = target_rung;
 };
 /// Decodes the previewer's orders. Throws std::runtime_error if it is none.
 Order decode_order(const Bytes& flatbuffer);

@@ -155,5 +155,61 @@ TEST_F(OracleTest, ManyOrdersDoNotDeadlockWithManyAnswers) {
     expect_right(samples, asked, everything);
 }
 
+// ---- the ladder of accuracy
+
+std::vector<Request> on_rung(std::vector<Request> requests, Rung rung) {
+    for (Request& request : requests) request.rung = rung;
+    return requests;
+}
+
+void expect_on_rung(const std::vector<Sample>& samples, Rung rung) {
+    for (const Sample& sample : samples) {
+        const glm::vec3 target = fake::sample_at(sample.position).colour;
+        ASSERT_EQ(sample.colour, target * fake::rung_scale(rung));
+        ASSERT_EQ(sample.rung, rung);
+    }
+}
+
+TEST_F(OracleTest, SamplesOfLowerRungsComeBeforeTheTargetIsReady) {
+    PovrayOracle oracle(fake_tracer({"target_after=6000"}));
+    EXPECT_EQ(oracle.wait_for_scene(nullptr, nullptr).ladder.rungs.size(), 3U);
+    EXPECT_FALSE(oracle.target_ready());
+    expect_on_rung(trace(oracle, on_rung(all_pixels(), 0), Parts::colour), 0);
+    EXPECT_FALSE(oracle.target_ready());
+    expect_on_rung(trace(oracle, on_rung(all_pixels(), 1), Parts::colour), 1);
+    expect_on_rung(trace(oracle, all_pixels(), Parts::colour), target_rung);
+    EXPECT_TRUE(oracle.target_ready());
+}
+
+TEST_F(OracleTest, TheTargetIsWaitedForAndProbesAreNot) {
+    PovrayOracle oracle(fake_tracer({"target_after=3000"}));
+    oracle.wait_for_scene(nullptr, nullptr);
+    std::vector<Request> mixed = all_pixels(RayKind::probe);
+    const std::vector<Request> full = all_pixels();
+    mixed.insert(mixed.end(), full.begin(), full.end());
+    const std::vector<Sample> samples = trace(oracle, mixed, everything);
+    EXPECT_TRUE(oracle.target_ready());
+    expect_right(samples, mixed, everything);
+}
+
+TEST_F(OracleTest, ATracerThatDiesBeforeOrAfterItsTargetIsReadyIsReplaced) {
+    for (const char* death : {"die_after=2000", "die_after=4000"}) {
+        PovrayOracle oracle(fake_tracer({"target_after=3000", death, "once=" + fresh_file()}));
+        oracle.wait_for_scene(nullptr, nullptr);
+        std::vector<Request> mixed = on_rung(all_pixels(), 1);
+        const std::vector<Request> full = all_pixels(), probes = all_pixels(RayKind::probe);
+        mixed.insert(mixed.end(), full.begin(), full.end());
+        mixed.insert(mixed.end(), probes.begin(), probes.end());
+        const std::vector<Sample> samples = trace(oracle, mixed, Parts::colour);
+        ASSERT_EQ(samples.size(), mixed.size());
+        EXPECT_EQ(oracle.statistics().restarts, 1U);
+        const std::size_t n = full.size();
+        expect_on_rung({samples.begin(), samples.begin() + std::ptrdiff_t(n)}, 1);
+        expect_on_rung(
+            {samples.begin() + std::ptrdiff_t(n), samples.begin() + std::ptrdiff_t(2 * n)},
+            target_rung);
+    }
+}
+
 }  // namespace
 }  // namespace povpreview

@@ -46,7 +46,8 @@ std::vector<Bytes> all_reports() {
             fake::answer_frame(slice_of(5, RayKind::probe, Parts::colour)),
             fake::answer_frame(slice_of(5, RayKind::albedo, Parts::colour)),
             fake::answer_frame(failed),
-            fake::geometry_frame(fake::small_geometry(), true)};
+            fake::geometry_frame(fake::small_geometry(), true),
+            fake::target_ready_frame()};
 }
 
 Bytes content(const Bytes& frame) { return {frame.begin() + 4, frame.end()}; }
@@ -129,8 +130,8 @@ TEST(Wire, AnOrderIsReadAsItWasWritten) {
     std::vector<glm::dvec2> positions;
     for (int i = 0; i < 1000; ++i) positions.emplace_back(i / 3., -i * 1e9);
     Bytes out;
-    append_trace(out, 41, RayKind::probe, everything, positions);
-    append_trace(out, 42, RayKind::full, Parts::shading, std::span(positions).first(1));
+    append_trace(out, 41, {RayKind::probe, target_rung, everything}, positions);
+    append_trace(out, 42, {RayKind::full, 3, Parts::shading}, std::span(positions).first(1));
     const auto frames = read_in_chunks(out, [] { return std::size_t{1 << 20}; });
     ASSERT_EQ(frames.size(), 2U);
     const fake::Order first = fake::decode_order(frames[0]), second = fake::decode_order(frames[1]);
@@ -140,13 +141,15 @@ TEST(Wire, AnOrderIsReadAsItWasWritten) {
     EXPECT_EQ(first.positions, positions);
     EXPECT_EQ(second.batch, 42U);
     EXPECT_EQ(second.parts, Parts::shading);
+    EXPECT_EQ(first.rung, target_rung);
+    EXPECT_EQ(second.rung, 3);
     EXPECT_EQ(second.positions.size(), 1U);
 }
 
 TEST(Wire, TheLargestOrderFitsAFrame) {
     const std::vector<glm::dvec2> positions(wire_max_batch);
     Bytes out;
-    append_trace(out, ~std::uint64_t{0}, RayKind::full, everything, positions);
+    append_trace(out, ~std::uint64_t{0}, {RayKind::full, 0, everything}, positions);
     EXPECT_LE(out.size(), wire_max_frame);
 }
 
@@ -173,6 +176,14 @@ TEST(Wire, ReportsAreReadAsTheyWereWritten) {
     EXPECT_EQ(scene.lights.at(0).points_at, glm::dvec3(0, 0, 4));
     EXPECT_TRUE(scene.lights.at(0).in_group);
     EXPECT_EQ(scene.textures.at(0).count, 3U);
+    ASSERT_EQ(scene.ladder.rungs.size(), 3U);
+    EXPECT_EQ(scene.ladder.rungs[0].name, "sketch");
+    EXPECT_TRUE(scene.ladder.rungs[1].ready);
+    EXPECT_FALSE(std::get<SceneDescription>(decode_report(content(fake::scene_frame(9, 9, false))))
+                     .ladder.rungs[2]
+                     .ready);
+    EXPECT_TRUE(std::holds_alternative<report::TargetReady>(
+        decode_report(content(fake::target_ready_frame()))));
 }
 
 TEST(Wire, AnAnswerCarriesWhatItsKindBrings) {
@@ -182,8 +193,8 @@ TEST(Wire, AnAnswerCarriesWhatItsKindBrings) {
             const Bytes bytes = content(fake::answer_frame(slice_of(9, kind, parts)));
             const auto answer = std::get<report::Answer>(decode_report(bytes));
             EXPECT_EQ(answer.batch(), 7U);
-            EXPECT_NO_THROW(answer.check_asked(12, kind, parts));
-            EXPECT_THROW(answer.check_asked(11, kind, parts), WireFault);
+            EXPECT_NO_THROW(answer.check_asked(12, {kind, target_rung, parts}));
+            EXPECT_THROW(answer.check_asked(11, {kind, target_rung, parts}), WireFault);
             for (std::uint32_t i = 0; i < 9; ++i) {
                 Sample sample{.position = {i + .5, 2 * i + .25}, .kind = kind};
                 answer.read(i, sample);
@@ -196,6 +207,20 @@ TEST(Wire, AnAnswerCarriesWhatItsKindBrings) {
                 EXPECT_EQ(sample.signature, expected.signature);
             }
         }
+}
+
+TEST(Wire, AnAnswerOfALowerRungThanAskedIsRefused) {
+    fake::Slice slice = slice_of(5, RayKind::full, Parts::colour);
+    slice.rung = 1;
+    const Bytes bytes = content(fake::answer_frame(slice));
+    const auto answer = std::get<report::Answer>(decode_report(bytes));
+    EXPECT_NO_THROW(answer.check_asked(100, {RayKind::full, 0, Parts::colour}));
+    EXPECT_NO_THROW(answer.check_asked(100, {RayKind::full, 1, Parts::colour}));
+    EXPECT_THROW(answer.check_asked(100, {RayKind::full, 2, Parts::colour}), WireFault);
+    EXPECT_THROW(answer.check_asked(100, {RayKind::full, target_rung, Parts::colour}), WireFault);
+    Sample sample{.position = {1, 2}, .rung = 0};
+    answer.read(0, sample);
+    EXPECT_EQ(sample.rung, 1);
 }
 
 TEST(Wire, EveryContradictionHasItsSentence) {
@@ -227,7 +252,7 @@ TEST(Wire, AnAnswerWithoutWhatWasAskedIsRefused) {
         const Bytes bytes = content(fake::answer_frame(slice_of(5, sent, with)));
         const auto answer = std::get<report::Answer>(decode_report(bytes));
         try {
-            answer.check_asked(100, asked, parts);
+            answer.check_asked(100, {asked, target_rung, parts});
         } catch (const WireFault&) {
             return true;
         }

@@ -29,12 +29,22 @@ struct FunctionImage {
     /// What rays cost; 0: not known, and so not worth a guess.
     std::uint32_t full_ns = 0, albedo_ns = 0;
 
+    /// The rungs below the target, which is the above.
+    struct LowerRung {
+        std::function<glm::vec3(glm::dvec2)> colour;
+        std::uint32_t full_ns = 0;
+    };
+    std::vector<LowerRung> lower{};
+
     Sample sample(const Request& request) const {
         Sample sample;
         sample.position = request.position;
         sample.kind = request.kind;
+        sample.rung = request.rung;
         sample.parts = Parts::surface | Parts::shading | Parts::signature;
+        const bool low = request.kind == RayKind::full && request.rung < lower.size();
         sample.cost_ns = request.kind == RayKind::full ? full_ns : albedo_ns;
+        if (low) sample.cost_ns = lower[request.rung].full_ns;
         sample.failed = fails(request.position);
         if (sample.failed) return sample;
         sample.surface = surface(request.position);
@@ -42,7 +52,8 @@ struct FunctionImage {
         if (request.kind != RayKind::albedo) sample.reflected_surface = reflected(request.position);
         if (request.kind != RayKind::probe) sample.albedo = albedo(request.position);
         if (request.kind != RayKind::full) return sample;
-        sample.colour = colour(request.position);
+        sample.colour =
+            low ? lower[request.rung].colour(request.position) : colour(request.position);
         for (int k = 0; k < 3; ++k)
             if (sample.albedo[k] > 0)
                 sample.illumination[k] = sample.colour[k] / sample.albedo[k];
@@ -67,12 +78,15 @@ class FunctionOracle : public SampleOracle {
         std::size_t count = queue_.size();
         if (grouped_) count = std::min<std::size_t>(count, random_() % (1u << random_() % 10));
         for (; count > 0; --count) {
+            const Request& next = queue_.front().request;
+            if (!target_ready && next.kind == RayKind::full && next.rung == target_rung) return;
             samples.push_back(answer(queue_.front()));
             queue_.pop_front();
         }
     }
 
     std::vector<Request> asked;  ///< every request, in order
+    bool target_ready = true;    ///< else full rays of the target, and all behind them, wait
 
    private:
     struct Order {

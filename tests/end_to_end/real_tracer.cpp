@@ -39,7 +39,7 @@ fs::path WorkFolder::write(const std::string& name, const std::string& text) con
 }
 
 TracedImage trace_pixels(const std::vector<std::string>& words, RayKind kind, Parts parts,
-                         unsigned seed, std::chrono::seconds limit) {
+                         unsigned seed, Rung rung, std::chrono::seconds limit) {
     const PovrayOptions options = read_povray_options(words);
     PovrayOracle oracle({.program = real_tracer(), .arguments = options.tracer_arguments()});
     const SceneDescription& scene = oracle.wait_for_scene(nullptr, nullptr);
@@ -53,7 +53,8 @@ TracedImage trace_pixels(const std::vector<std::string>& words, RayKind kind, Pa
     for (const std::size_t pixel : order)
         requests.push_back({{static_cast<double>(pixel % image.width) + .5,
                              static_cast<double>(pixel / image.width) + .5},
-                            kind});
+                            kind,
+                            rung});
     oracle.submit(requests, parts);
 
     const auto deadline = std::chrono::steady_clock::now() + limit;

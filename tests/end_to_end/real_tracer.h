@@ -34,6 +34,7 @@ struct TracedImage {
     std::vector<Sample> samples;
 };
 TracedImage trace_pixels(const std::vector<std::string>& words, RayKind kind, Parts parts,
-                         unsigned seed, std::chrono::seconds limit = std::chrono::seconds(120));
+                         unsigned seed, Rung rung = target_rung,
+                         std::chrono::seconds limit = std::chrono::seconds(120));
 
 }  // namespace povpreview

@@ -19,7 +19,8 @@ inline bool exercise_wire(std::span<const std::byte> stream, std::size_t chunk) 
     const auto read_all = [&](const report::Answer& answer) {
         for (const RayKind kind : {RayKind::full, RayKind::probe, RayKind::albedo})
             for (unsigned parts = 0; parts < 8; ++parts) try {
-                    answer.check_asked(wire_max_batch, kind, static_cast<Parts>(parts));
+                    answer.check_asked(wire_max_batch,
+                                       {kind, target_rung, static_cast<Parts>(parts)});
                 } catch (const WireFault&) {
                 }
         promise(answer.count() >= 1 && answer.first() + answer.count() <= wire_max_batch);
@@ -85,7 +86,8 @@ inline bool exercise_wire(std::span<const std::byte> stream, std::size_t chunk) 
                 if (const auto* geometry = std::get_if<report::GeometryChunk>(&report))
                     walk(geometry->part);
                 if (const auto* scene = std::get_if<SceneDescription>(&report))
-                    promise(scene->width >= 1 && scene->height >= 1);
+                    promise(scene->width >= 1 && scene->height >= 1 &&
+                            !scene->ladder.rungs.empty());
             });
         }
     } catch (const WireFault&) {

@@ -48,6 +48,8 @@ int main(int argc, char** argv) {
         {"hello", fake::hello_frame(wire_version)},
         {"progress", fake::progress_frame(2, 5, 9)},
         {"scene", fake::scene_frame(64, 48)},
+        {"scene-unprepared", fake::scene_frame(64, 48, false)},
+        {"target-ready", fake::target_ready_frame()},
         {"geometry", fake::geometry_frame(fake::small_geometry(), true)},
         {"texels", fake::texels_frame(0, 0, fake::small_texels())},
         {"failure", fake::failure_frame("Parse Error: no", "x.pov", 3)},

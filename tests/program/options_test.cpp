@@ -29,6 +29,12 @@ TEST(CommandLine, AcceptsBothWaysToGiveAValue) {
     EXPECT_EQ(read({"s.pov", "--size", "640x480"}).preview->size, glm::ivec2(640, 480));
 }
 
+TEST(CommandLine, AccuracyIsTheScenesToUnderstand) {
+    EXPECT_EQ(read({"s.pov"}).preview->accuracy, "");
+    EXPECT_EQ(read({"s.pov", "--accuracy", "sketch"}).preview->accuracy, "sketch");
+    EXPECT_EQ(read({"compare", "s.pov", "--out", "d", "--accuracy=1"}).compare->accuracy, "1");
+}
+
 TEST(CommandLine, CompareTakesAListOfMethods) {
     const auto line = read({"compare", "s.pov", "--out", "d", "--methods", "mesh,blocks"});
     ASSERT_TRUE(line.compare);

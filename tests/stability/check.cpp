@@ -52,7 +52,7 @@ class Check {
         TracedScene scene(
             read_povray_options(words_), TracerWishes{}, [](const std::string&) {}, never,
             foreknowledge_for(method_needs("mesh"), 1));
-        StrategyRun run("mesh", scene, scene.oracle(), false);
+        StrategyRun run("mesh", scene, scene.oracle(), target_rung, false);
         scene.wait_for_foreknowledge(never);
         const double pixels = double(scene.description().width) * scene.description().height;
         for (std::size_t i = 0; i < shares.size(); ++i) {

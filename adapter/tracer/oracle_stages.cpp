@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "backend/oracle/oracle_stages.h"
+
+#include <chrono>
+#include <thread>
+
+// The order of POV-Ray's headers matters: frame.h first, povdebug.h last.
+// clang-format off
+#include "backend/frame.h"
+#include "backend/scene/scene.h"
+#include "backend/scene/view.h"
+#include "base/povmsgid.h"
+// clang-format on
+
+#include "backend/oracle/finishing_pixel.h"
+#include "backend/oracle/geometry_task.h"
+#include "backend/oracle/scene_description.h"
+#include "base/povdebug.h"
+
+namespace povpreview::tracer {
+
+namespace {
+
+/// The image file that POV-Ray would make; empty: none.
+std::string output_file(POVMS_Object& options) {
+    if (!options.TryGetBool(kPOVAttrib_OutputToFile, true)) return "";
+    return pov_base::UCS2toASCIIString(options.TryGetUCS2String(kPOVAttrib_OutputFile, ""));
+}
+
+/// What will be read only when the scene has been announced.
+void note_later_files(const pov::SceneData& scene) {
+    const auto& photons = scene.photonSettings;
+    if (photons.photonsEnabled && photons.loadFile && photons.fileName)
+        Oracle::instance().note_read(photons.fileName);
+}
+
+/// Waits while the previewer makes a first picture, so that preparing the target does not compete
+/// with it.
+class FirstLookTask : public pov::RenderTask {
+   public:
+    FirstLookTask(pov::ViewData* view, Stage next) : RenderTask(view), next_(next) {}
+
+    void Run() override {
+        while (!Oracle::instance().first_look_over()) {
+            Cooperate();
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        }
+        Oracle::instance().progress(next_, 0, 0);
+    }
+    void Stopped() override {}
+    void Finish() override {}
+
+   private:
+    Stage next_;
+};
+
+}  // namespace
+
+OracleStages::OracleStages(pov::TaskQueue& tasks, pov::ViewData& view,
+                           std::vector<pov::ViewThreadData*>& data, int threads)
+    : tasks_(tasks), view_(view), data_(data), threads_(threads) {}
+
+void OracleStages::append(pov::RenderTask* task) {
+    data_.push_back(dynamic_cast<pov::ViewThreadData*>(tasks_.AppendTask(task)));
+}
+
+void OracleStages::append_early(POVMS_Object& options) {
+    if (!enabled()) return;
+    const pov::SceneData& scene = *view_.GetSceneData();
+    const auto shared =
+        std::make_shared<SharedScene>(scene, options.TryGetFloat(kPOVAttrib_Version, 0.0f));
+    const auto facts = std::make_shared<SceneFacts>(
+        describe_scene(view_, options.TryGetBool(kPOVAttrib_Antialias, false), shared->linear));
+    const bool prepares = needs_preparation(facts->features);
+    shared->rungs = rungs_of(facts->features);
+    facts->rungs = describe_rungs(shared->rungs, !prepares);
+    facts->alpha = scene.outputAlpha;
+    facts->output = output_file(options);
+    note_later_files(scene);
+    facts->files = Oracle::instance().files_read();
+    shared_ = shared;
+    Oracle::instance().known().set_size(facts->width, facts->height);
+    set_finishing_light({shared_, &shared_->linear});
+    tasks_.AppendFunction([facts, prepares](pov::TaskQueue&) {
+        if (!prepares) Oracle::instance().queue().release_target();
+        Oracle::instance().begin_first_look(std::int64_t{facts->width} * facts->height / 128);
+        Oracle::instance().wire().send_scene(*facts);
+    });
+    if (Oracle::instance().geometry_wanted()) append(new GeometryTask(&view_, shared_));
+    if (!prepares) return;
+    for (int i = 0; i < threads_; ++i)
+        append(new OracleTask(&view_, shared_, OracleTask::Stage::early));
+    append(new FirstLookTask(
+        &view_, scene.photonSettings.photonsEnabled ? Stage::photons : Stage::radiosity));
+    tasks_.AppendSync();
+}
+
+void OracleStages::append_final() {
+    if (!enabled()) return;
+    tasks_.AppendFunction([](pov::TaskQueue&) {
+        if (Oracle::instance().queue().target_released()) return;
+        Oracle::instance().queue().release_target();
+        Oracle::instance().wire().send_target_ready();
+    });
+    for (int i = 0; i < threads_; ++i)
+        append(new OracleTask(&view_, shared_, OracleTask::Stage::final));
+}
+
+}  // namespace povpreview::tracer

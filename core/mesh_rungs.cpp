@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+//
+// The mesh previewer on the ladder of accuracy: samples traced at a low rung are traced again at
+// higher ones, and shown until then as what was learnt so far lets them look there.
+#include <algorithm>
+#include <cmath>
+
+#include "core/colour.h"
+#include "core/mesh_previewer.h"
+
+namespace povpreview {
+
+namespace {
+
+/// What is shown of samples not traced again yet is brought up to date when so many times as many
+/// were traced as the last time: each step is too small to be seen as one.
+constexpr double growth = 1.5;
+constexpr std::size_t first_shift = 8;
+
+}  // namespace
+
+void MeshPreviewer::LowSample::show_at(SampleId sample, VertexId vertex) {
+    for (std::size_t i = 0; i < samples.size(); ++i)
+        if (!samples[i].valid()) {
+            samples[i] = sample;
+            vertices[i] = vertex;
+            return;
+        }
+}
+
+RungLight MeshPreviewer::light_of(const Sample& sample) const {
+    RungLight light{.colour = sample.colour};
+    light.shaded = contains(sample.parts, Parts::shading) && sample.surface != 0 &&
+                   finite(sample.albedo) && finite(sample.illumination) &&
+                   finite(sample.remainder);
+    if (!light.shaded) return light;
+    light.albedo = sample.albedo;
+    light.illumination = sample.illumination;
+    light.remainder = sample.remainder;
+    return light;
+}
+
+/// Remembers a sample that is below the target; null for all others. The pointer is good until the
+/// next call.
+MeshPreviewer::LowSample* MeshPreviewer::keep_low(const Sample& sample, bool usable,
+                                                  std::optional<Pixel> pixel) {
+    if (sample.rung == target_rung) return nullptr;
+    low_.push_back({.position = sample.position,
+                    .pixel = pixel,
+                    .surface = sample.surface,
+                    .light = light_of(sample),
+                    .known = usable,
+                    .rung = sample.rung});
+    ++low_left_;
+    return &low_.back();
+}
+
+/// Goes to the next rung when it is time to.
+void MeshPreviewer::climb() {
+    if (!climb_.climb()) return;
+    low_scanned_ = 0;
+    for (const LowSample& low : low_)
+        if (low.known && low.rung == climb_.current()) show(low, low.light);
+    shift_all();
+    if (climb_.at_target()) reach_target();
+}
+
+/// From now on samples cost what the picture will cost, and squares may be filled.
+void MeshPreviewer::reach_target() {
+    const double full_ns = climb_.cost_ns(target_rung);
+    plan_ = plan_by_cost(full_ns, squares_.pixels());
+    albedo_fetch_.set_price(albedo_price(usual_cost(trial_costs_), full_ns));
+    for (std::size_t square = 0; square < squares_.squares(); ++square)
+        if (is_dense(square)) squares_.fill(square);
+}
+
+/// Some positions of the first samples, spread over the image, traced at the next rung to learn
+/// what that costs.
+std::optional<Request> MeshPreviewer::next_trial_above() {
+    if (!cost_known() || climb_.next() == climb_.current()) return std::nullopt;
+    // Not in order: the first samples are the image's corners, which are not like the rest.
+    for (std::size_t i = 0; i < low_.size(); ++i) {
+        const std::size_t low = (i * 61 + 30) % low_.size();
+        if (low_[low].asked || climb_.place(low_[low].rung) >= climb_.place(climb_.next()))
+            continue;
+        if (!climb_.take_trial()) break;
+        return ask_retrace(low, climb_.next());
+    }
+    return std::nullopt;
+}
+
+/// The first sample that was traced below a rung and not asked for again since.
+std::optional<Request> MeshPreviewer::next_retrace(Rung rung) {
+    if (low_left_ == 0) return std::nullopt;
+    for (; low_scanned_ < low_.size(); ++low_scanned_) {
+        const LowSample& low = low_[low_scanned_];
+        if (!low.asked && low.rung < rung) return ask_retrace(low_scanned_++, rung);
+    }
+    return std::nullopt;
+}
+
+Request MeshPreviewer::ask_retrace(std::size_t low, Rung rung) {
+    low_[low].asked = true;
+    Pending pending{Pending::Use::retrace};
+    pending.low = low;
+    pending_.push_back(pending);
+    return Request{low_[low].position, RayKind::full, rung};
+}
+
+void MeshPreviewer::accept_retrace(const Pending& pending, const Sample& sample, bool usable) {
+    LowSample& low = low_[pending.low];
+    low.asked = false;
+    const bool at_target = sample.rung == target_rung;
+    if (usable) {
+        if (low.known) learn_shift(low, sample);
+        low.light = light_of(sample);
+        low.known = true;
+    } else if (at_target && low.pixel) {
+        squares_.spoil(*low.pixel);
+    }
+    low.rung = sample.rung;
+    // What is above the current rung would stick out; it is shown when that is reached.
+    if (usable && low.rung <= climb_.current()) show(low, shifted(low, climb_.current()));
+    if (at_target && --low_left_ == 0 && climb_.at_target()) {
+        low_ = {};
+        low_scanned_ = 0;
+    }
+    climb();
+    if (shift_learnt_ >= shift_again_at_ && low_left_ > 0) shift_all();
+}
+
+/// A sample in the light of a rung, as far as that has been learnt.
+RungLight MeshPreviewer::shifted(const LowSample& low, Rung rung) const {
+    RungLight light = low.light;
+    for (std::size_t i = climb_.place(low.rung); i < climb_.place(rung); ++i)
+        light = shifts_[i].apply(low.position, low.surface, light);
+    return light;
+}
+
+/// Where rungs were skipped between the two, what is not known of them goes to the last one.
+void MeshPreviewer::learn_shift(const LowSample& low, const Sample& sample) {
+    if (sample.rung <= low.rung) return;
+    const RungLight light = light_of(sample);
+    climb_.compare(low.rung, low.light.colour, light.colour);
+    const std::size_t last = climb_.place(sample.rung) - 1;
+    const RungLight below = shifted(low, climb_.rung(last));
+    shifts_[last].learn(low.position, low.surface, below, light);
+    ++shift_learnt_;
+}
+
+void MeshPreviewer::show(const LowSample& low, const RungLight& light) {
+    if (low.pixel) squares_.replace(*low.pixel, light.colour);
+    for (std::size_t i = 0; i < low.samples.size() && low.samples[i].valid(); ++i)
+        if (mesh_.relight(low.samples[i], light) && refining_ &&
+            mesh_.triangulation().alive(low.vertices[i]))
+            queue_around(low.vertices[i]);
+}
+
+/// Brings up to date all that is shown of samples not traced again yet.
+void MeshPreviewer::shift_all() {
+    shift_again_at_ =
+        std::max(first_shift, static_cast<std::size_t>(growth * double(shift_learnt_)));
+    for (const LowSample& low : low_)
+        if (low.known && low.rung < climb_.current()) show(low, shifted(low, climb_.current()));
+}
+
+}  // namespace povpreview

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "core/rung_climb.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "core/colour.h"
+#include "core/cost_plan.h"
+
+namespace povpreview {
+
+namespace {
+
+/// A picture stands when this share of the pixels is sampled.
+constexpr double standing_share = 1. / 128;
+
+/// Positions traced at two rungs to learn what the higher one costs. Few: where that is very dear,
+/// all else waits for them.
+constexpr std::size_t trials = 8;
+
+/// A lower rung gains nothing where the higher one is not dearer by this factor, or where a picture
+/// stands on the higher one within so many nanoseconds of one thread.
+constexpr double least_gain = 2;
+constexpr double moment_ns = .2e9;
+
+/// Costs kept of a rung.
+constexpr std::size_t most_costs = 512;
+
+}  // namespace
+
+RungClimb::RungClimb(const Ladder& ladder, std::size_t pixels, std::size_t first_samples)
+    : standing_samples_(std::max(
+          first_samples, static_cast<std::size_t>(standing_share * static_cast<double>(pixels)))),
+      target_ready_(ladder.rungs.back().ready) {
+    for (const Ladder::Step& step : ladder.rungs) {
+        steps_.emplace_back();
+        steps_.back().name = step.name;
+    }
+}
+
+std::size_t RungClimb::place(Rung rung) const {
+    return std::min<std::size_t>(rung, steps_.size() - 1);
+}
+
+Rung RungClimb::rung(std::size_t place) const {
+    return place + 1 == steps_.size() ? target_rung : static_cast<Rung>(place);
+}
+
+void RungClimb::learn(const Sample& sample) {
+    Step& step = steps_[place(sample.rung)];
+    ++step.samples;
+    if (has_rungs() && step.costs.size() < most_costs) step.costs.push_back(sample.cost_ns);
+}
+
+void RungClimb::compare(Rung lower, const glm::vec3& low, const glm::vec3& high) {
+    Step& step = steps_[place(lower)];
+    const glm::vec3 d = display_encoded(low) - display_encoded(high);
+    step.difference += (std::abs(d.x) + std::abs(d.y) + std::abs(d.z)) / 3;
+    ++step.compared;
+}
+
+std::size_t RungClimb::next_place() const {
+    const std::size_t target = steps_.size() - 1;
+    return std::max(current_, target_ready_ || target == 0 ? target : target - 1);
+}
+
+bool RungClimb::take_trial() {
+    Step& next = steps_[next_place()];
+    if (next_place() == current_ || next.trials >= trials) return false;
+    ++next.trials;
+    return true;
+}
+
+bool RungClimb::gains(const Step& step, const Step& next) const {
+    const double cost = usual_cost(step.costs), next_cost = usual_cost(next.costs);
+    return next_cost >= least_gain * cost &&
+           next_cost * static_cast<double>(standing_samples_) > moment_ns;
+}
+
+bool RungClimb::climb() {
+    const std::size_t next = next_place();
+    Step& step = steps_[current_];
+    if (next == current_ || steps_[next].costs.size() < trials) return false;
+    const bool gained = gains(step, steps_[next]);
+    if (gained && step.samples < standing_samples_) return false;
+    step.dropped = !gained;
+    current_ = next;
+    return true;
+}
+
+double RungClimb::cost_ns(Rung rung) const { return usual_cost(steps_[place(rung)].costs); }
+
+std::vector<RungStanding> RungClimb::standings() const {
+    std::vector<RungStanding> standings;
+    for (const Step& step : steps_)
+        standings.push_back({step.name, step.samples, usual_cost(step.costs),
+                             step.compared > 0 ? step.difference / double(step.compared) : -1,
+                             step.dropped});
+    return standings;
+}
+
+}  // namespace povpreview

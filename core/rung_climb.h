@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <string>
+#include <vector>
+
+#include "core/ladder.h"
+#include "core/oracle.h"
+
+namespace povpreview {
+
+/// How one rung of the ladder has done, for the log.
+struct RungStanding {
+    std::string name;
+    std::size_t samples = 0;  ///< traced at it
+    double cost_ns = 0;       ///< of one of them, usually; 0 where it is not known
+    /// Mean difference of displayed colour to the next rung that was traced at the same positions;
+    /// below 0 where there were none.
+    double error = -1;
+    bool dropped = false;  ///< it was found to gain nothing
+};
+
+/// Where on the ladder of accuracy a previewer stands: it starts on the lowest rung and goes to the
+/// highest one that is ready, as soon as its picture stands on the lower one, or at once where the
+/// lower one gains nothing. A few positions are traced at both to learn what they cost.
+class RungClimb {
+   public:
+    /// `first_samples`: those that any picture begins with.
+    RungClimb(const Ladder& ladder, std::size_t pixels, std::size_t first_samples);
+
+    bool has_rungs() const { return steps_.size() > 1; }
+    /// What new samples are asked for.
+    Rung current() const { return rung(current_); }
+    bool at_target() const { return current_ + 1 == steps_.size(); }
+    /// The rungs' places on the ladder, from 0.
+    std::size_t place(Rung rung) const;
+    Rung rung(std::size_t place) const;
+
+    /// The tracer has prepared the target.
+    void target_ready() { target_ready_ = true; }
+    /// A full sample has come.
+    void learn(const Sample& sample);
+    /// A position was traced at two rungs, to these colours, linear.
+    void compare(Rung lower, const glm::vec3& low, const glm::vec3& high);
+
+    /// A rung higher than the current one is ready, but what it costs is not known: some positions
+    /// should be traced at it. Each call with the answer true counts as one of them.
+    bool take_trial();
+    /// The rung that is ready and higher; the current one where there is none.
+    Rung next() const { return rung(next_place()); }
+    /// Goes to the next rung if it is time to. Returns whether it went.
+    bool climb();
+
+    /// What a sample of a rung usually costs, in nanoseconds; 0 where it is not known.
+    double cost_ns(Rung rung) const;
+    std::vector<RungStanding> standings() const;
+
+   private:
+    struct Step {
+        std::string name;
+        std::size_t samples = 0, trials = 0, compared = 0;
+        double difference = 0;  ///< summed over what was compared
+        std::vector<std::uint32_t> costs;
+        bool dropped = false;
+    };
+    std::size_t next_place() const;
+    bool gains(const Step& step, const Step& next) const;
+
+    std::vector<Step> steps_;
+    std::size_t current_ = 0;
+    std::size_t standing_samples_;
+    bool target_ready_;
+};
+
+}  // namespace povpreview

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "core/rung_shift.h"
+
+#include <cmath>
+#include <glm/common.hpp>
+
+namespace povpreview {
+
+namespace {
+
+/// Stands for all surfaces together; no surface has this number by any likelihood.
+constexpr std::uint32_t all_surfaces = 0xffffffff;
+
+/// So many samples in the cells around a position are believed as much as the coarser level.
+constexpr float half_belief = .5f;
+
+std::uint64_t key_of(std::uint32_t surface, int level, int x, int y) {
+    return std::uint64_t{surface} << 32 | std::uint64_t(level) << 28 |
+           (std::uint64_t(y) & 0x3fff) << 14 | (std::uint64_t(x) & 0x3fff);
+}
+
+}  // namespace
+
+/// Calls `visit(key, weight)` for the four cells whose centres surround the position; the weights
+/// are bilinear:
+///
+///     +-----+-----+
+///     |  c  |  c  |
+///     +----*+-----+
+///     |  c  |  c  |
+///     +-----+-----+
+template <class Visit>
+void RungShift::for_cells_around(glm::dvec2 position, std::uint32_t surface, int level,
+                                 const Visit& visit) const {
+    const glm::dvec2 p = position / extent_ * double(1 << level) - .5;
+    const glm::dvec2 low = glm::floor(p), part = p - low;
+    const int x = static_cast<int>(low.x), y = static_cast<int>(low.y);
+    for (int j = 0; j < 2; ++j)
+        for (int i = 0; i < 2; ++i)
+            visit(key_of(surface, level, x + i, y + j),
+                  static_cast<float>((i ? part.x : 1 - part.x) * (j ? part.y : 1 - part.y)));
+}
+
+void RungShift::learn(glm::dvec2 position, std::uint32_t surface, const RungLight& lower,
+                      const RungLight& higher) {
+    Cell difference;
+    difference.weight = 1;
+    difference.colour = higher.colour - lower.colour;
+    if (lower.shaded && higher.shaded) {
+        difference.light_weight = 1;
+        difference.illumination = higher.illumination - lower.illumination;
+        difference.remainder = higher.remainder - lower.remainder;
+    }
+    add(position, surface, difference);
+    add(position, all_surfaces, difference);
+    ++size_;
+}
+
+void RungShift::add(glm::dvec2 position, std::uint32_t surface, const Cell& difference) {
+    for (int level = 0; level < levels; ++level)
+        for_cells_around(position, surface, level, [&](std::uint64_t key, float w) {
+            if (w <= 0) return;
+            Cell& cell = cells_[key];
+            cell.weight += w * difference.weight;
+            cell.colour += w * difference.colour;
+            cell.light_weight += w * difference.light_weight;
+            cell.illumination += w * difference.illumination;
+            cell.remainder += w * difference.remainder;
+        });
+}
+
+void RungShift::refine(glm::dvec2 position, std::uint32_t surface, Estimate& estimate) const {
+    for (int level = 0; level < levels; ++level) {
+        Cell around;
+        for_cells_around(position, surface, level, [&](std::uint64_t key, float w) {
+            const auto cell = cells_.find(key);
+            if (cell == cells_.end()) return;
+            around.weight += w * cell->second.weight;
+            around.colour += w * cell->second.colour;
+            around.light_weight += w * cell->second.light_weight;
+            around.illumination += w * cell->second.illumination;
+            around.remainder += w * cell->second.remainder;
+        });
+        if (around.weight <= 0) return;  // finer cells are empty as well
+        const auto mix = [](glm::vec3& part, const glm::vec3& sum, float weight) {
+            if (weight <= 0) return;
+            part = glm::mix(part, sum / weight, weight / (weight + half_belief));
+        };
+        mix(estimate.colour, around.colour, around.weight);
+        mix(estimate.illumination, around.illumination, around.light_weight);
+        mix(estimate.remainder, around.remainder, around.light_weight);
+    }
+}
+
+RungLight RungShift::apply(glm::dvec2 position, std::uint32_t surface,
+                           const RungLight& lower) const {
+    Estimate estimate;
+    refine(position, all_surfaces, estimate);
+    estimate.colour = estimate.remainder = glm::vec3(0);
+    refine(position, surface, estimate);
+    RungLight shifted = lower;
+    if (lower.shaded) {
+        shifted.illumination = glm::max(lower.illumination + estimate.illumination, glm::vec3(0));
+        shifted.remainder += estimate.remainder;
+        shifted.colour = lower.albedo * shifted.illumination + shifted.remainder;
+    } else {
+        shifted.colour += estimate.colour;
+    }
+    shifted.colour = glm::max(shifted.colour, glm::vec3(0));
+    return shifted;
+}
+
+}  // namespace povpreview
