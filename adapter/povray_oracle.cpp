@@ -212,11 +212,7 @@ void PovrayOracle::handle(std::span<const std::byte> frame) {
     if (const auto* chunk = std::get_if<report::GeometryChunk>(&any))
         return handle_geometry(*chunk);
     if (const auto* part = std::get_if<report::Texels>(&any)) return handle_texels(*part);
-    if (std::holds_alternative<report::TargetReady>(any)) {
-        if (state_ != State::serving) throw WireFault("a target before the scene");
-        target_ready_ = true;
-        return;
-    }
+    if (const auto* ready = std::get_if<report::RungReady>(&any)) return handle_ready(*ready);
     preparation_ = std::get<report::Progress>(any);
     if (progress_) progress_(preparation_);
 }
@@ -243,9 +239,18 @@ void PovrayOracle::handle_scene(SceneDescription scene) {
         fail(Exit::scene, "the scene was changed while it was traced, to another image size",
              "start again");
     scene_ = std::move(scene);
-    target_ready_ = target_ready_ || scene_->ladder.rungs.back().ready;
+    ready_.resize(scene_->ladder.rungs.size());
+    for (std::size_t i = 0; i < ready_.size(); ++i)
+        ready_[i] = ready_[i] || scene_->ladder.rungs[i].ready;
     state_ = State::serving;
     send_waiting();
+}
+
+void PovrayOracle::handle_ready(const report::RungReady& ready) {
+    if (state_ < State::serving) throw WireFault("a rung before the scene");
+    if (ready.rung >= ready_.size())
+        throw WireFault(fmt::format("rung {} of a ladder of {}", ready.rung, ready_.size()));
+    ready_[ready.rung] = true;
 }
 
 void PovrayOracle::handle_failure(const report::Failure& failure) {

@@ -98,8 +98,10 @@ class PovrayOracle : public SampleOracle {
     std::filesystem::path finish(std::span<const PixelLight> pixels,
                                  const std::function<void(const report::Progress&)>& progress,
                                  const std::function<bool()>& interrupted);
-    /// Whether the target rung can be traced, or could be by a tracer that has died since.
-    bool target_ready() const { return target_ready_; }
+    /// Whether a rung of the scene's ladder is ready, by its place from 0, or was in a tracer that
+    /// has died since. REQUIRES: the scene has come.
+    bool ready(std::size_t rung) const { return ready_[rung]; }
+    bool target_ready() const { return ready_.back(); }
     /// The tracer's last step towards that.
     const report::Progress& preparation() const { return preparation_; }
 
@@ -138,6 +140,7 @@ class PovrayOracle : public SampleOracle {
     void handle_geometry(const report::GeometryChunk& chunk);
     void handle_texels(const report::Texels& part);
     void check_images_complete();
+    void handle_ready(const report::RungReady& ready);
     [[noreturn]] void handle_failure(const report::Failure& failure);
 
     void send_image(std::span<const PixelLight> pixels);
@@ -178,7 +181,7 @@ class PovrayOracle : public SampleOracle {
 
     report::Hello hello_;
     std::optional<SceneDescription> scene_;
-    bool target_ready_ = false;
+    std::vector<bool> ready_;  ///< by rung
     report::Progress preparation_;
     std::function<void(const report::Progress&)> progress_;
 

@@ -294,8 +294,8 @@ Report decode_report(std::span<const std::byte> frame) {
             return decode_geometry(*root->report_as_Geometry());
         case wire::Report::Texels:
             return decode_texels(*root->report_as_Texels());
-        case wire::Report::TargetReady:
-            return report::TargetReady{};
+        case wire::Report::RungReady:
+            return report::RungReady{root->report_as_RungReady()->rung()};
         case wire::Report::Failure: {
             const auto* from = root->report_as_Failure();
             return report::Failure{text(from->message()), text(from->file()), from->line()};

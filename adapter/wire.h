@@ -131,8 +131,10 @@ class Answer {
     std::vector<bool> failed_;  ///< empty, or by offset
 };
 
-/// Photons are shot and radiosity is pretraced: the target rung can be traced.
-struct TargetReady {};
+/// A rung that was not ready is now, by its number on the scene's ladder; the last is the target.
+struct RungReady {
+    std::uint8_t rung = 0;
+};
 
 /// Part of what can be drawn of the scene. Indices are in range and counts agree, but those of
 /// looks and images, which may be in other parts; conditions run on a stack as deep as allowed and
@@ -153,7 +155,7 @@ struct Texels {
 
 using Report =
     std::variant<report::Hello, report::Progress, report::Failure, report::Answer,
-                 report::GeometryChunk, report::Texels, report::TargetReady, SceneDescription>;
+                 report::GeometryChunk, report::Texels, report::RungReady, SceneDescription>;
 
 /// Decodes one frame. Throws WireFault on anything but a well-formed report. REQUIRES: `frame`
 /// starts at an address that is a multiple of 8, as FrameReader's do.

@@ -14,7 +14,8 @@ namespace povpreview {
 struct Ladder {
     struct Step {
         std::string name;
-        /// False where the tracer has something to prepare first, such as photons; the target only.
+        /// False where the tracer has something to prepare first, such as photons. Samples of the
+        /// target wait for that; those of a rung below it need not, but are worse before it.
         bool ready = true;
     };
     /// Rung 0 first; the last one is target_rung (see oracle.h). Never empty.

@@ -78,7 +78,7 @@ class MeshPreviewer : public Previewer {
     void accept_edges(std::vector<EdgeChain>&& chains) override;
     bool wants_items() const override { return options_.detail && (refining_ || lattice_); }
     void accept_items(const ItemBuffer& items) override;
-    void accept_target() override { climb_.target_ready(); }
+    void accept_ready(Rung rung) override { climb_.ready(rung); }
     bool done() const override;
     Picture picture(Overlay overlay) const override;
     Statistics statistics() const override;

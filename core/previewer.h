@@ -58,9 +58,8 @@ class Previewer {
     virtual bool wants_items() const { return false; }
     /// That. May come at any time, once; of the size of the picture.
     virtual void accept_items(const ItemBuffer&) {}
-    /// Samples of the target rung can be traced from now on. Told to those alone that were made
-    /// with a ladder whose target was not ready.
-    virtual void accept_target() {}
+    /// A rung of its ladder is ready that was not.
+    virtual void accept_ready(Rung) {}
     /// Every pixel shows a full sample of its own centre, and no answer is outstanding.
     virtual bool done() const = 0;
 

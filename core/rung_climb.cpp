@@ -31,11 +31,11 @@ constexpr std::size_t most_costs = 512;
 
 RungClimb::RungClimb(const Ladder& ladder, std::size_t pixels, std::size_t first_samples)
     : standing_samples_(std::max(
-          first_samples, static_cast<std::size_t>(standing_share * static_cast<double>(pixels)))),
-      target_ready_(ladder.rungs.back().ready) {
+          first_samples, static_cast<std::size_t>(standing_share * static_cast<double>(pixels)))) {
     for (const Ladder::Step& step : ladder.rungs) {
         steps_.emplace_back();
         steps_.back().name = step.name;
+        steps_.back().ready = step.ready;
     }
 }
 
@@ -61,8 +61,9 @@ void RungClimb::compare(Rung lower, const glm::vec3& low, const glm::vec3& high)
 }
 
 std::size_t RungClimb::next_place() const {
-    const std::size_t target = steps_.size() - 1;
-    return std::max(current_, target_ready_ || target == 0 ? target : target - 1);
+    std::size_t next = steps_.size() - 1;
+    while (next > current_ && !steps_[next].ready) --next;
+    return next;
 }
 
 bool RungClimb::take_trial() {
@@ -84,7 +85,7 @@ bool RungClimb::climb() {
     if (next == current_ || steps_[next].costs.size() < trials) return false;
     const bool gained = gains(step, steps_[next]);
     if (gained && step.samples < standing_samples_) return false;
-    step.dropped = !gained;
+    step.dropped = !gained && step.samples < standing_samples_;
     current_ = next;
     return true;
 }

@@ -20,7 +20,7 @@ struct RungStanding {
     /// Mean difference of displayed colour to the next rung that was traced at the same positions;
     /// below 0 where there were none.
     double error = -1;
-    bool dropped = false;  ///< it was found to gain nothing
+    bool dropped = false;  ///< left before the picture stood on it, since it gains nothing
 };
 
 /// Where on the ladder of accuracy a previewer stands: it starts on the lowest rung and goes to the
@@ -39,8 +39,8 @@ class RungClimb {
     std::size_t place(Rung rung) const;
     Rung rung(std::size_t place) const;
 
-    /// The tracer has prepared the target.
-    void target_ready() { target_ready_ = true; }
+    /// The tracer has prepared a rung.
+    void ready(Rung rung) { steps_[place(rung)].ready = true; }
     /// A full sample has come.
     void learn(const Sample& sample);
     /// A position was traced at two rungs, to these colours, linear.
@@ -49,7 +49,7 @@ class RungClimb {
     /// A rung higher than the current one is ready, but what it costs is not known: some positions
     /// should be traced at it. Each call with the answer true counts as one of them.
     bool take_trial();
-    /// The rung that is ready and higher; the current one where there is none.
+    /// The highest rung that is ready and above the current one; that where there is none.
     Rung next() const { return rung(next_place()); }
     /// Goes to the next rung if it is time to. Returns whether it went.
     bool climb();
@@ -64,7 +64,7 @@ class RungClimb {
         std::size_t samples = 0, trials = 0, compared = 0;
         double difference = 0;  ///< summed over what was compared
         std::vector<std::uint32_t> costs;
-        bool dropped = false;
+        bool ready = true, dropped = false;
     };
     std::size_t next_place() const;
     bool gains(const Step& step, const Step& next) const;
@@ -72,7 +72,6 @@ class RungClimb {
     std::vector<Step> steps_;
     std::size_t current_ = 0;
     std::size_t standing_samples_;
-    bool target_ready_;
 };
 
 }  // namespace povpreview

@@ -16,17 +16,18 @@ bool needs_preparation(const std::set<std::string>& features) {
     return features.count("radiosity") > 0 || features.count("photons") > 0;
 }
 
-std::vector<RungFacts> describe_rungs(const std::vector<RungKind>& rungs, bool target_ready) {
+std::vector<RungFacts> describe_rungs(const std::vector<RungKind>& rungs,
+                                      const std::set<std::string>& features) {
     std::vector<RungFacts> facts;
     for (RungKind kind : rungs) switch (kind) {
             case RungKind::sketch:
                 facts.push_back({"sketch", true});
                 break;
             case RungKind::unprepared:
-                facts.push_back({"unprepared", true});
+                facts.push_back({"unprepared", features.count("radiosity") == 0});
                 break;
             case RungKind::target:
-                facts.push_back({"target", target_ready});
+                facts.push_back({"target", !needs_preparation(features)});
                 break;
         }
     return facts;

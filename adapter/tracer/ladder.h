@@ -14,8 +14,8 @@ enum class RungKind {
     /// Lights are points, media take two samples an interval, nothing is out of focus; no
     /// radiosity, photons or subsurface scattering.
     sketch,
-    /// All that needs no preparation: no photons, and radiosity from a cache of its own that warms
-    /// up as it is used. What is in that cache depends on the order of samples.
+    /// All but what is being prepared: no photons, and of radiosity what its pretrace has found so
+    /// far, which depends on the moment.
     unprepared,
     /// What POV-Ray renders.
     target
@@ -28,6 +28,8 @@ std::vector<RungKind> rungs_of(const std::set<std::string>& features);
 /// Whether the target needs photons or a radiosity pretrace.
 bool needs_preparation(const std::set<std::string>& features);
 
-std::vector<RungFacts> describe_rungs(const std::vector<RungKind>& rungs, bool target_ready);
+/// `features`: of the scene, before anything is prepared.
+std::vector<RungFacts> describe_rungs(const std::vector<RungKind>& rungs,
+                                      const std::set<std::string>& features);
 
 }  // namespace povpreview::tracer

@@ -34,6 +34,16 @@ void note_later_files(const pov::SceneData& scene) {
         Oracle::instance().note_read(photons.fileName);
 }
 
+/// Radiosity's pretrace goes over the image again and again, each time twice as finely. After the
+/// second time what its cache holds is worth looking at: of 24 x 18 points, by POV-Ray's defaults.
+void announce_pretrace(const SceneFacts& facts) {
+    constexpr std::uint64_t passes = 2;
+    for (std::size_t i = 0; i + 1 < facts.rungs.size(); ++i)
+        if (!facts.rungs[i].ready)
+            Oracle::instance().announce_rung(static_cast<std::uint8_t>(i),
+                                             passes * facts.width * facts.height);
+}
+
 /// Waits while the previewer makes a first picture, so that preparing the target does not compete
 /// with it.
 class FirstLookTask : public pov::RenderTask {
@@ -73,7 +83,7 @@ void OracleStages::append_early(POVMS_Object& options) {
         describe_scene(view_, options.TryGetBool(kPOVAttrib_Antialias, false), shared->linear));
     const bool prepares = needs_preparation(facts->features);
     shared->rungs = rungs_of(facts->features);
-    facts->rungs = describe_rungs(shared->rungs, !prepares);
+    facts->rungs = describe_rungs(shared->rungs, facts->features);
     facts->alpha = scene.outputAlpha;
     facts->output = output_file(options);
     note_later_files(scene);
@@ -81,6 +91,7 @@ void OracleStages::append_early(POVMS_Object& options) {
     shared_ = shared;
     Oracle::instance().known().set_size(facts->width, facts->height);
     set_finishing_light({shared_, &shared_->linear});
+    announce_pretrace(*facts);
     tasks_.AppendFunction([facts, prepares](pov::TaskQueue&) {
         if (!prepares) Oracle::instance().queue().release_target();
         Oracle::instance().begin_first_look(std::int64_t{facts->width} * facts->height / 128);
@@ -97,10 +108,12 @@ void OracleStages::append_early(POVMS_Object& options) {
 
 void OracleStages::append_final() {
     if (!enabled()) return;
-    tasks_.AppendFunction([](pov::TaskQueue&) {
+    const auto target = static_cast<std::uint8_t>(shared_->rungs.size() - 1);
+    tasks_.AppendFunction([target](pov::TaskQueue&) {
         if (Oracle::instance().queue().target_released()) return;
         Oracle::instance().queue().release_target();
-        Oracle::instance().wire().send_target_ready();
+        Oracle::instance().progress(Stage::ready, 0, 0);
+        Oracle::instance().wire().send_rung_ready(target);
     });
     for (int i = 0; i < threads_; ++i)
         append(new OracleTask(&view_, shared_, OracleTask::Stage::final));

@@ -34,9 +34,7 @@ bool is_finite(const Rgb& c) {
 }  // namespace
 
 SharedScene::SharedScene(const pov::SceneData& scene, float version)
-    : linear(scene, version),
-      surfaces(scene.objects),
-      early_cache(new pov::RadiosityCache(scene.radiositySettings)) {}
+    : linear(scene, version), surfaces(scene.objects) {}
 
 OracleTask::OracleTask(pov::ViewData* view, std::shared_ptr<const SharedScene> shared, Stage stage)
     : RenderTask(view),
@@ -49,8 +47,8 @@ OracleTask::OracleTask(pov::ViewData* view, std::shared_ptr<const SharedScene> s
       cooperate_(*this),
       media_(GetViewDataPtr(), &trace_, &photon_gatherer_),
       radiosity_(view->GetSceneData(), GetViewDataPtr(), view->GetSceneData()->radiositySettings,
-                 stage == Stage::early ? *shared_->early_cache : view->GetRadiosityCache(),
-                 cooperate_, true, pov::Vector3d(view->GetCamera().Location)),
+                 view->GetRadiosityCache(), cooperate_, true,
+                 pov::Vector3d(view->GetCamera().Location)),
       photon_gatherer_(&view->GetSceneData()->mediaPhotonMap, view->GetSceneData()->photonSettings),
       recorder_(shared_->surfaces) {
     set_rung(RungKind::target);
@@ -62,7 +60,7 @@ void OracleTask::Run() {
     WorkQueue& queue = Oracle::instance().queue();
     // Samples must not depend on what was traced before, so nothing is added to the radiosity
     // cache any more; each sample starts the same pattern of directions.
-    if (final) radiosity_.Freeze();
+    radiosity_.Freeze();
     radiosity_.BeforeTile(0);
     while (final || !queue.target_released()) {
         Cooperate();
@@ -98,9 +96,9 @@ void OracleTask::set_rung(RungKind rung) {
     rung_ = rung;
     quality_ = sketch ? all & ~dear : all;
     trace_.SetQualityFlags(quality_);
-    const bool photons = !sketch && stage_ == Stage::final;
-    GetViewDataPtr()->qualityFlags =
-        all | (photons ? 0 : ignore_photons) | (sketch ? coarse_media : 0);
+    const bool early = stage_ == Stage::early;
+    GetViewDataPtr()->qualityFlags = all | (sketch || early ? ignore_photons : 0) |
+                                     (early ? radiosity_so_far : 0) | (sketch ? coarse_media : 0);
 }
 
 void OracleTask::Finish() {
@@ -225,8 +223,7 @@ void OracleTask::reseed(Position position) {
     const std::size_t seed = seed_of(position);
     trace_.Reseed(seed);
     media_.Reseed(seed);
-    // Gathers for a cache that is kept shall not all use the same directions.
-    if (stage_ == Stage::final) radiosity_.Reseed(seed);
+    radiosity_.Reseed(seed);
 }
 
 }  // namespace povpreview::tracer

@@ -30,8 +30,6 @@ struct SharedScene {
     LinearLight linear;
     SurfaceIndex surfaces;
     std::vector<RungKind> rungs;  ///< cheapest first, the target last
-    /// Of radiosity, for samples that come before the scene's own is prepared.
-    std::unique_ptr<pov::RadiosityCache> early_cache;
 };
 
 /// One of POV-Ray's threads tracing samples to order.

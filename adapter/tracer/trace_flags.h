@@ -13,6 +13,8 @@ enum TraceFlags : unsigned {
     presume_photons = 0x20000,
     /// Two samples in each interval of media will do, however many they want.
     coarse_media = 0x40000,
+    /// Radiosity is what its cache holds by now, and nothing is gathered for it.
+    radiosity_so_far = 0x80000,
 
     no_photons_gathered = ignore_photons | presume_photons
 };

@@ -57,10 +57,7 @@ void WireEnd::send_answer(const Slice& slice, std::uint8_t rung,
     send(answer_frame(slice, rung, samples));
 }
 
-void WireEnd::send_target_ready() {
-    stage_ = Stage::ready;
-    send(target_ready_frame());
-}
+void WireEnd::send_rung_ready(std::uint8_t rung) { send(rung_ready_frame(rung)); }
 
 void WireEnd::send_geometry(const GeometryChunk& chunk) { send(geometry_frame(chunk)); }
 

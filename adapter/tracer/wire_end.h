@@ -46,8 +46,8 @@ class WireEnd {
     void send_scene(const SceneFacts& scene);
     /// `rung`: the one that full samples were traced at, that asked for or a higher one.
     void send_answer(const Slice& slice, std::uint8_t rung, const std::vector<Sample>& samples);
-    /// The target can be traced from now on; ends progress.
-    void send_target_ready();
+    /// A rung is ready from now on, by its place on the ladder.
+    void send_rung_ready(std::uint8_t rung);
     void send_geometry(const GeometryChunk& chunk);
     void send_texels(const TexelChunk& chunk);
     /// Whether something waits to be sent.

@@ -120,9 +120,9 @@ Frame answer_frame(const Slice& slice, std::uint8_t rung, const std::vector<Samp
     return wire_frame(builder, wire::Report_Answer, message);
 }
 
-Frame target_ready_frame() {
+Frame rung_ready_frame(std::uint8_t rung) {
     FlatBufferBuilder builder;
-    return wire_frame(builder, wire::Report_TargetReady, wire::CreateTargetReady(builder));
+    return wire_frame(builder, wire::Report_RungReady, wire::CreateRungReady(builder, rung));
 }
 
 Frame failure_frame(const std::string& message, const std::string& file, unsigned line) {

@@ -24,7 +24,7 @@ std::vector<std::uint8_t> geometry_frame(const GeometryChunk& chunk);
 std::vector<std::uint8_t> texels_frame(const TexelChunk& chunk);
 std::vector<std::uint8_t> answer_frame(const Slice& slice, std::uint8_t rung,
                                        const std::vector<Sample>& samples);
-std::vector<std::uint8_t> target_ready_frame();
+std::vector<std::uint8_t> rung_ready_frame(std::uint8_t rung);
 std::vector<std::uint8_t> failure_frame(const std::string& message, const std::string& file,
                                         unsigned line);
 

@@ -26,17 +26,16 @@ class StrategyRun {
           previewer_(make_previewer(method, scene.frame(accuracy.has_value(), by_cost))),
           session_(*previewer_, accuracy ? static_cast<SampleOracle&>(fixed_rung_) : oracle),
           wants_edges_(previewer_->wants_edges()),
-          wants_items_(previewer_->wants_items()) {
+          wants_items_(previewer_->wants_items()),
+          wants_rungs_(!accuracy),
+          rungs_taken_(scene.description().ladder.rungs.size()) {
         if (wants_edges_) scene_.claim_edges();
     }
 
     Session& session() { return session_; }
     /// Session::advance, with what has become known without tracing since.
     bool advance(std::chrono::nanoseconds patience) {
-        if (wants_target_ && scene_.oracle().target_ready()) {
-            previewer_->accept_target();
-            wants_target_ = false;
-        }
+        if (wants_rungs_) take_rungs();
         if (wants_items_) take_items();
         if (wants_edges_ && !wants_items_) take_edges();
         return session_.advance(patience);
@@ -75,6 +74,16 @@ class StrategyRun {
         return seconds;
     }
 
+    void take_rungs() {
+        const PovrayOracle& oracle = scene_.oracle();
+        const std::size_t target = rungs_taken_.size() - 1;
+        for (std::size_t i = 0; i <= target; ++i)
+            if (!rungs_taken_[i] && oracle.ready(i)) {
+                previewer_->accept_ready(i == target ? target_rung : static_cast<Rung>(i));
+                rungs_taken_[i] = true;
+            }
+        wants_rungs_ = !rungs_taken_[target];
+    }
     void take_items() {
         if (!scene_.items_finished()) return;
         if (const ItemBuffer* items = scene_.items()) previewer_->accept_items(*items);
@@ -93,7 +102,8 @@ class StrategyRun {
     FixedRung fixed_rung_;
     std::unique_ptr<Previewer> previewer_;
     Session session_;
-    bool wants_edges_ = false, wants_items_ = false, wants_target_ = true;
+    bool wants_edges_ = false, wants_items_ = false, wants_rungs_ = false;
+    std::vector<bool> rungs_taken_;  // told to be ready
     std::size_t edges_taken_ = 0;  // of the scene's
 };
 

@@ -194,7 +194,7 @@ void FakeTracer::parse() {
 
 void FakeTracer::make_target_ready() {
     target_ready_ = true;
-    send(target_ready_frame());
+    send(rung_ready_frame(2));
     pieces_.insert(pieces_.end(), held_.begin(), held_.end());
     held_.clear();
 }

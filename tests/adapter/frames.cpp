@@ -64,9 +64,9 @@ Bytes scene_frame(std::uint32_t width, std::uint32_t height, bool target_ready) 
                      .Union());
 }
 
-Bytes target_ready_frame() {
+Bytes rung_ready_frame(std::uint8_t rung) {
     Builder b;
-    return frame(b, wire::Report::TargetReady, wire::CreateTargetReady(b).Union());
+    return frame(b, wire::Report::RungReady, wire::CreateRungReady(b, rung).Union());
 }
 
 Bytes swollen_scene_frame(std::size_t count, std::size_t length) {

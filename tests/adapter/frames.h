@@ -33,7 +33,7 @@ Bytes hello_frame(std::uint32_t version);
 Bytes progress_frame(std::uint8_t stage, std::uint64_t done, std::uint64_t total);
 /// A scene that uses every field of the schema: a ladder of three rungs.
 Bytes scene_frame(std::uint32_t width, std::uint32_t height, bool target_ready = true);
-Bytes target_ready_frame();
+Bytes rung_ready_frame(std::uint8_t rung);
 /// A scene whose `features` are `count` times the same name of `length` characters, stored once.
 Bytes swollen_scene_frame(std::size_t count, std::size_t length);
 Bytes answer_frame(const Slice& slice);

@@ -47,7 +47,7 @@ std::vector<Bytes> all_reports() {
             fake::answer_frame(slice_of(5, RayKind::albedo, Parts::colour)),
             fake::answer_frame(failed),
             fake::geometry_frame(fake::small_geometry(), true),
-            fake::target_ready_frame()};
+            fake::rung_ready_frame(2)};
 }
 
 Bytes content(const Bytes& frame) { return {frame.begin() + 4, frame.end()}; }
@@ -182,8 +182,7 @@ TEST(Wire, ReportsAreReadAsTheyWereWritten) {
     EXPECT_FALSE(std::get<SceneDescription>(decode_report(content(fake::scene_frame(9, 9, false))))
                      .ladder.rungs[2]
                      .ready);
-    EXPECT_TRUE(std::holds_alternative<report::TargetReady>(
-        decode_report(content(fake::target_ready_frame()))));
+    EXPECT_EQ(std::get<report::RungReady>(decode_report(content(fake::rung_ready_frame(2)))).rung, 2);
 }
 
 TEST(Wire, AnAnswerCarriesWhatItsKindBrings) {

@@ -161,7 +161,7 @@ TEST(RungClimb, SkipsNoReadyRungAndWaitsForTheTarget) {
     for (int i = 0; i < 4000; ++i) climb.learn(traced(1, 3'000'000));
     EXPECT_FALSE(climb.take_trial());
     EXPECT_FALSE(climb.climb());
-    climb.target_ready();
+    climb.ready(target_rung);
     EXPECT_EQ(climb.next(), target_rung);
     try_next(climb, 50'000);
     EXPECT_TRUE(climb.climb());
@@ -235,7 +235,7 @@ TEST_P(RisingPreview, EndsWithEveryPixelAtTheTargetTracedThereOnce) {
     EXPECT_GT(previewer.statistics().below_target, 0u);
     EXPECT_EQ(previewer.validate(), "");
     oracle.target_ready = true;
-    previewer.accept_target();
+    previewer.accept_ready(target_rung);
     while (session.advance(1ms)) {
     }
     ASSERT_TRUE(previewer.done());
@@ -291,7 +291,7 @@ TEST(MeshPreviewerOnALadder, OldSamplesLookRightLongBeforeAllAreTracedAgain) {
     const double before = displayed_error(previewer.picture(Overlay::none), image);
     const std::size_t low = previewer.statistics().below_target;
     oracle.target_ready = true;
-    previewer.accept_target();
+    previewer.accept_ready(target_rung);
     advance(session, session.counts().full + 1200);
     EXPECT_GT(previewer.statistics().below_target, low / 2);
     EXPECT_LT(displayed_error(previewer.picture(Overlay::none), image), before / 3);

@@ -98,6 +98,34 @@ TEST(SampleMemory, GivesTheWantedPartsAndAsksAnewForThoseItHasNot) {
     EXPECT_EQ(oracle.asked.size(), 1U);
 }
 
+TEST(SampleMemory, SamplesBelowTheTargetAreNeitherKeptNorTold) {
+    FunctionImage image = images::disc({30, 40}, 20);
+    image.lower = {{[](glm::dvec2) { return glm::vec3(.25f); }, 0}};
+    FunctionOracle oracle(image);
+    SampleMemory memory(oracle, width, height);
+    std::vector<Sample> told;
+    memory.tell([&](const Sample& s) { told.push_back(s); });
+    const Request low{{30.5, 40.5}, RayKind::full, 0}, target{low.position, RayKind::full};
+    std::vector<Sample> samples;
+    const auto ask = [&](const Request& request) {
+        memory.submit({&request, 1}, everything);
+        memory.collect(samples, 0ms);
+        return samples.back().colour;
+    };
+    const std::size_t pixel = 40 * width + 30;
+    EXPECT_EQ(ask(low), glm::vec3(.25f));
+    EXPECT_FALSE(memory.pixels()[pixel].known);
+    EXPECT_TRUE(told.empty());
+    EXPECT_EQ(ask(target), image.colour(target.position));
+    ASSERT_EQ(told.size(), 1U);
+    memory.recall(told[0]);
+    EXPECT_EQ(ask(low), glm::vec3(.25f));  // what is known of the target is no answer to it
+    EXPECT_EQ(memory.pixels()[pixel].colour, image.colour(target.position));
+    EXPECT_EQ(ask(target), image.colour(target.position));
+    EXPECT_EQ(memory.recalled(), 1U);
+    EXPECT_EQ(told.size(), 1U);
+}
+
 TEST(SampleMemory, ARunThatIsGoneOnWithEndsAsIfItHadNeverStopped) {
     MeshRun whole(3);
     whole.go();

@@ -49,7 +49,7 @@ int main(int argc, char** argv) {
         {"progress", fake::progress_frame(2, 5, 9)},
         {"scene", fake::scene_frame(64, 48)},
         {"scene-unprepared", fake::scene_frame(64, 48, false)},
-        {"target-ready", fake::target_ready_frame()},
+        {"rung-ready", fake::rung_ready_frame(2)},
         {"geometry", fake::geometry_frame(fake::small_geometry(), true)},
         {"texels", fake::texels_frame(0, 0, fake::small_texels())},
         {"failure", fake::failure_frame("Parse Error: no", "x.pov", 3)},
