@@ -166,6 +166,12 @@ void PovrayOracle::collect(std::vector<Sample>& samples, std::chrono::nanosecond
     queue_.take(samples);
 }
 
+void PovrayOracle::listen(std::chrono::nanoseconds patience) {
+    const Clock::time_point deadline = Clock::now() + patience;
+    while (advance(deadline)) {
+    }
+}
+
 /// Waits for bytes and handles them. Returns false when the deadline is over or a signal came.
 bool PovrayOracle::advance(Clock::time_point deadline) {
     if (broken_) throw *broken_;
@@ -240,8 +246,7 @@ void PovrayOracle::handle_scene(SceneDescription scene) {
              "start again");
     scene_ = std::move(scene);
     ready_.resize(scene_->ladder.rungs.size());
-    for (std::size_t i = 0; i < ready_.size(); ++i)
-        ready_[i] = ready_[i] || scene_->ladder.rungs[i].ready;
+    for (std::size_t i = 0; i < ready_.size(); ++i) ready_[i] += scene_->ladder.rungs[i].ready;
     state_ = State::serving;
     send_waiting();
 }
@@ -250,7 +255,7 @@ void PovrayOracle::handle_ready(const report::RungReady& ready) {
     if (state_ < State::serving) throw WireFault("a rung before the scene");
     if (ready.rung >= ready_.size())
         throw WireFault(fmt::format("rung {} of a ladder of {}", ready.rung, ready_.size()));
-    ready_[ready.rung] = true;
+    ++ready_[ready.rung];
 }
 
 void PovrayOracle::handle_failure(const report::Failure& failure) {

@@ -98,10 +98,12 @@ class PovrayOracle : public SampleOracle {
     std::filesystem::path finish(std::span<const PixelLight> pixels,
                                  const std::function<void(const report::Progress&)>& progress,
                                  const std::function<bool()>& interrupted);
-    /// Whether a rung of the scene's ladder is ready, by its place from 0, or was in a tracer that
-    /// has died since. REQUIRES: the scene has come.
-    bool ready(std::size_t rung) const { return ready_[rung]; }
-    bool target_ready() const { return ready_.back(); }
+    /// Hears what the tracer has to tell within `patience` beside samples.
+    void listen(std::chrono::nanoseconds patience);
+    /// How often each rung of the scene's ladder has become ready, or better; by tracers that have
+    /// died since, too. REQUIRES: the scene has come.
+    const std::vector<unsigned>& rungs_ready() const { return ready_; }
+    bool target_ready() const { return ready_.back() > 0; }
     /// The tracer's last step towards that.
     const report::Progress& preparation() const { return preparation_; }
 
@@ -181,7 +183,7 @@ class PovrayOracle : public SampleOracle {
 
     report::Hello hello_;
     std::optional<SceneDescription> scene_;
-    std::vector<bool> ready_;  ///< by rung
+    std::vector<unsigned> ready_;  ///< by rung: how often that was said
     report::Progress preparation_;
     std::function<void(const report::Progress&)> progress_;
 

@@ -132,6 +132,7 @@ class Answer {
 };
 
 /// A rung that was not ready is now, by its number on the scene's ladder; the last is the target.
+/// Or one that was has become better.
 struct RungReady {
     std::uint8_t rung = 0;
 };

@@ -212,8 +212,12 @@ std::optional<Request> MeshPreviewer::refine() {
         if (auto wanted = entry->a == entry->b ? refine_side(*entry) : refine(*entry))
             return wanted;
     }
-    // Only what is traced at the target is worth filling; what there is can wait for that.
-    if (!climb_.at_target()) return next_retrace(target_rung);
+    // Only what is traced at the target is worth filling.
+    if (!climb_.at_target()) {
+        if (auto again = next_retrace(climb_.current())) return again;
+        if (!pending_.empty() || !climb(true)) return std::nullopt;
+        if (!climb_.at_target()) return next_retrace(climb_.current());
+    }
     start_filling();
     return std::nullopt;
 }

@@ -78,7 +78,8 @@ class MeshPreviewer : public Previewer {
     void accept_edges(std::vector<EdgeChain>&& chains) override;
     bool wants_items() const override { return options_.detail && (refining_ || lattice_); }
     void accept_items(const ItemBuffer& items) override;
-    void accept_ready(Rung rung) override { climb_.ready(rung); }
+    void accept_ready(Rung rung) override;
+    bool waits() const override { return pending_.empty() && !climb_.at_target(); }
     bool done() const override;
     Picture picture(Overlay overlay) const override;
     Statistics statistics() const override;
@@ -187,13 +188,14 @@ class MeshPreviewer : public Previewer {
         RungLight light;     ///< as it was traced
         bool known = false;  ///< else it failed
         Rung rung = 0;
-        bool asked = false;  ///< for a higher rung
+        bool asked = false;  ///< for a higher rung, or anew
+        bool stale = false;  ///< its rung has become better since
 
         void show_at(SampleId sample, VertexId vertex);
     };
     RungLight light_of(const Sample& sample) const;
     LowSample* keep_low(const Sample& sample, bool usable, std::optional<Pixel> pixel);
-    void climb();
+    bool climb(bool at_rest = false);
     void reach_target();
     std::optional<Request> next_trial_above();
     std::optional<Request> next_retrace(Rung rung);

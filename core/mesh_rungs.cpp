@@ -31,8 +31,7 @@ void MeshPreviewer::LowSample::show_at(SampleId sample, VertexId vertex) {
 RungLight MeshPreviewer::light_of(const Sample& sample) const {
     RungLight light{.colour = sample.colour};
     light.shaded = contains(sample.parts, Parts::shading) && sample.surface != 0 &&
-                   finite(sample.albedo) && finite(sample.illumination) &&
-                   finite(sample.remainder);
+                   finite(sample.albedo) && finite(sample.illumination) && finite(sample.remainder);
     if (!light.shaded) return light;
     light.albedo = sample.albedo;
     light.illumination = sample.illumination;
@@ -55,14 +54,22 @@ MeshPreviewer::LowSample* MeshPreviewer::keep_low(const Sample& sample, bool usa
     return &low_.back();
 }
 
-/// Goes to the next rung when it is time to.
-void MeshPreviewer::climb() {
-    if (!climb_.climb()) return;
+void MeshPreviewer::accept_ready(Rung rung) {
+    climb_.ready(rung);
+    if (rung == target_rung) return;
+    for (LowSample& low : low_) low.stale = low.stale || low.rung == rung;
+    low_scanned_ = 0;
+}
+
+/// Goes to the next rung when it is time to, or when there is nothing more to do on this one.
+bool MeshPreviewer::climb(bool at_rest) {
+    if (!climb_.climb(at_rest)) return false;
     low_scanned_ = 0;
     for (const LowSample& low : low_)
         if (low.known && low.rung == climb_.current()) show(low, low.light);
     shift_all();
     if (climb_.at_target()) reach_target();
+    return true;
 }
 
 /// From now on samples cost what the picture will cost, and squares may be filled.
@@ -89,12 +96,14 @@ std::optional<Request> MeshPreviewer::next_trial_above() {
     return std::nullopt;
 }
 
-/// The first sample that was traced below a rung and not asked for again since.
+/// The first sample that was traced below a rung, or there when it was worse, and not asked for
+/// again since.
 std::optional<Request> MeshPreviewer::next_retrace(Rung rung) {
     if (low_left_ == 0) return std::nullopt;
     for (; low_scanned_ < low_.size(); ++low_scanned_) {
         const LowSample& low = low_[low_scanned_];
-        if (!low.asked && low.rung < rung) return ask_retrace(low_scanned_++, rung);
+        if (!low.asked && (low.rung < rung || (low.stale && low.rung == rung)))
+            return ask_retrace(low_scanned_++, rung);
     }
     return std::nullopt;
 }
@@ -109,7 +118,7 @@ Request MeshPreviewer::ask_retrace(std::size_t low, Rung rung) {
 
 void MeshPreviewer::accept_retrace(const Pending& pending, const Sample& sample, bool usable) {
     LowSample& low = low_[pending.low];
-    low.asked = false;
+    low.asked = low.stale = false;
     const bool at_target = sample.rung == target_rung;
     if (usable) {
         if (low.known) learn_shift(low, sample);

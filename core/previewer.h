@@ -58,8 +58,10 @@ class Previewer {
     virtual bool wants_items() const { return false; }
     /// That. May come at any time, once; of the size of the picture.
     virtual void accept_items(const ItemBuffer&) {}
-    /// A rung of its ladder is ready that was not.
+    /// A rung of its ladder is ready that was not, or its samples have become better.
     virtual void accept_ready(Rung) {}
+    /// It has nothing to ask for, no answer outstanding, and waits for a rung to become ready.
+    virtual bool waits() const { return false; }
     /// Every pixel shows a full sample of its own centre, and no answer is outstanding.
     virtual bool done() const = 0;
 

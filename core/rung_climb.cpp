@@ -79,12 +79,13 @@ bool RungClimb::gains(const Step& step, const Step& next) const {
            next_cost * static_cast<double>(standing_samples_) > moment_ns;
 }
 
-bool RungClimb::climb() {
+bool RungClimb::climb(bool at_rest) {
     const std::size_t next = next_place();
     Step& step = steps_[current_];
-    if (next == current_ || steps_[next].costs.size() < trials) return false;
-    const bool gained = gains(step, steps_[next]);
-    if (gained && step.samples < standing_samples_) return false;
+    const bool tried = steps_[next].costs.size() >= trials;
+    if (next == current_ || (!tried && !at_rest)) return false;
+    const bool gained = !tried || gains(step, steps_[next]);
+    if (gained && step.samples < standing_samples_ && !at_rest) return false;
     step.dropped = !gained && step.samples < standing_samples_;
     current_ = next;
     return true;

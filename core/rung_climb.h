@@ -51,8 +51,9 @@ class RungClimb {
     bool take_trial();
     /// The highest rung that is ready and above the current one; that where there is none.
     Rung next() const { return rung(next_place()); }
-    /// Goes to the next rung if it is time to. Returns whether it went.
-    bool climb();
+    /// Goes to the next rung if it is time to; `at_rest`: there is nothing else to do. Returns
+    /// whether it went.
+    bool climb(bool at_rest = false);
 
     /// What a sample of a rung usually costs, in nanoseconds; 0 where it is not known.
     double cost_ns(Rung rung) const;

@@ -79,14 +79,15 @@ void Oracle::expect(Stage stage, std::uint64_t total) {
 void Oracle::advance(std::uint64_t done) {
     const std::uint64_t now = done_ += done;
     progress(stage_, now, total_);
-    if (stage_ == Stage::radiosity && now >= announced_at_ && !announced_.exchange(true))
+    std::uint64_t due = announced_at_;
+    if (stage_ == Stage::radiosity && now >= due &&
+        announced_at_.compare_exchange_strong(due, 2 * due))
         wire_->send_rung_ready(announced_rung_);
 }
 
 void Oracle::announce_rung(std::uint8_t rung, std::uint64_t pretraced) {
     announced_rung_ = rung;
     announced_at_ = pretraced;
-    announced_ = false;
 }
 
 void Oracle::note_read(const std::string& file) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "backend/oracle/oracle_stages.h"
 
+#include <algorithm>
 #include <chrono>
 #include <thread>
 
@@ -34,14 +35,15 @@ void note_later_files(const pov::SceneData& scene) {
         Oracle::instance().note_read(photons.fileName);
 }
 
-/// Radiosity's pretrace goes over the image again and again, each time twice as finely. After the
-/// second time what its cache holds is worth looking at: of 24 x 18 points, by POV-Ray's defaults.
+/// Radiosity's pretrace goes over the image again and again, each time twice as finely; the first
+/// times take the longest. After a quarter of the first it is known how bright things are, and with
+/// that the rung below the target is worth looking at.
 void announce_pretrace(const SceneFacts& facts) {
-    constexpr std::uint64_t passes = 2;
     for (std::size_t i = 0; i + 1 < facts.rungs.size(); ++i)
         if (!facts.rungs[i].ready)
-            Oracle::instance().announce_rung(static_cast<std::uint8_t>(i),
-                                             passes * facts.width * facts.height);
+            Oracle::instance().announce_rung(
+                static_cast<std::uint8_t>(i),
+                std::max<std::uint64_t>(1, std::uint64_t{facts.width} * facts.height / 4));
 }
 
 /// Waits while the previewer makes a first picture, so that preparing the target does not compete

@@ -74,7 +74,7 @@ void OracleTask::Run() {
 
 /// A while after the previewer has had its first look, preparing the target comes first.
 void OracleTask::give_way() {
-    constexpr int niceness = 10;  // about a tenth of a processor that others want as well
+    constexpr int niceness = 5;  // about a quarter of a processor that others want as well
     if (gives_way_ || !Oracle::instance().preparation_first()) return;
     gives_way_ = true;
     setpriority(PRIO_PROCESS, 0, niceness);  // of this thread alone, on Linux

@@ -27,7 +27,7 @@ class StrategyRun {
           session_(*previewer_, accuracy ? static_cast<SampleOracle&>(fixed_rung_) : oracle),
           wants_edges_(previewer_->wants_edges()),
           wants_items_(previewer_->wants_items()),
-          wants_rungs_(!accuracy),
+          wants_rungs_(!accuracy && scene.description().ladder.rungs.size() > 1),
           rungs_taken_(scene.description().ladder.rungs.size()) {
         if (wants_edges_) scene_.claim_edges();
     }
@@ -38,7 +38,10 @@ class StrategyRun {
         if (wants_rungs_) take_rungs();
         if (wants_items_) take_items();
         if (wants_edges_ && !wants_items_) take_edges();
-        return session_.advance(patience);
+        if (session_.advance(patience)) return true;
+        if (!previewer_->waits()) return false;
+        scene_.oracle().listen(patience);
+        return true;
     }
     const Previewer& previewer() const { return *previewer_; }
     /// What is done for this scene and what is left out, why, and what it has taken; empty before
@@ -75,14 +78,14 @@ class StrategyRun {
     }
 
     void take_rungs() {
-        const PovrayOracle& oracle = scene_.oracle();
-        const std::size_t target = rungs_taken_.size() - 1;
+        const std::vector<unsigned>& ready = scene_.oracle().rungs_ready();
+        if (ready == rungs_taken_) return;
+        const std::size_t target = ready.size() - 1;
         for (std::size_t i = 0; i <= target; ++i)
-            if (!rungs_taken_[i] && oracle.ready(i)) {
+            if (ready[i] != rungs_taken_[i])
                 previewer_->accept_ready(i == target ? target_rung : static_cast<Rung>(i));
-                rungs_taken_[i] = true;
-            }
-        wants_rungs_ = !rungs_taken_[target];
+        rungs_taken_ = ready;
+        wants_rungs_ = ready[target] == 0;
     }
     void take_items() {
         if (!scene_.items_finished()) return;
@@ -103,8 +106,8 @@ class StrategyRun {
     std::unique_ptr<Previewer> previewer_;
     Session session_;
     bool wants_edges_ = false, wants_items_ = false, wants_rungs_ = false;
-    std::vector<bool> rungs_taken_;  // told to be ready
-    std::size_t edges_taken_ = 0;  // of the scene's
+    std::vector<unsigned> rungs_taken_;  // of those that became ready, told to the previewer
+    std::size_t edges_taken_ = 0;        // of the scene's
 };
 
 }  // namespace povpreview

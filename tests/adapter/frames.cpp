@@ -57,11 +57,11 @@ Bytes scene_frame(std::uint32_t width, std::uint32_t height, bool target_ready) 
     const std::vector rungs{wire::CreateRungDirect(b, "sketch", true),
                             wire::CreateRungDirect(b, "unprepared", true),
                             wire::CreateRungDirect(b, "target", target_ready)};
-    return frame(b, wire::Report::Scene,
-                 wire::CreateSceneDirect(b, width, height, 2.2F, true, camera, &lights, &features,
-                                         &textures, &objects, &background, true, "out.png", &files,
-                                         &rungs)
-                     .Union());
+    return frame(
+        b, wire::Report::Scene,
+        wire::CreateSceneDirect(b, width, height, 2.2F, true, camera, &lights, &features, &textures,
+                                &objects, &background, true, "out.png", &files, &rungs)
+            .Union());
 }
 
 Bytes rung_ready_frame(std::uint8_t rung) {

@@ -182,7 +182,8 @@ TEST(Wire, ReportsAreReadAsTheyWereWritten) {
     EXPECT_FALSE(std::get<SceneDescription>(decode_report(content(fake::scene_frame(9, 9, false))))
                      .ladder.rungs[2]
                      .ready);
-    EXPECT_EQ(std::get<report::RungReady>(decode_report(content(fake::rung_ready_frame(2)))).rung, 2);
+    EXPECT_EQ(std::get<report::RungReady>(decode_report(content(fake::rung_ready_frame(2)))).rung,
+              2);
 }
 
 TEST(Wire, AnAnswerCarriesWhatItsKindBrings) {

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <map>
+#include <memory>
 #include <random>
 
 #include "core/colour.h"
@@ -295,6 +296,61 @@ TEST(MeshPreviewerOnALadder, OldSamplesLookRightLongBeforeAllAreTracedAgain) {
     advance(session, session.counts().full + 1200);
     EXPECT_GT(previewer.statistics().below_target, low / 2);
     EXPECT_LT(displayed_error(previewer.picture(Overlay::none), image), before / 3);
+}
+
+TEST(MeshPreviewerOnALadder, WaitsForRungsAndTracesAgainWhatHasBecomeBetter) {
+    FunctionImage image = dear_still_life();
+    const auto colour = image.colour;
+    const auto light = std::make_shared<float>(.2f);
+    image.lower[1].colour = [=](dvec2 p) { return colour(p) * *light; };
+    MeshPreviewer previewer(width, height, {},
+                            {{{"sketch"}, {"unprepared", false}, {"target", false}}});
+    FunctionOracle oracle(image, 7);
+    oracle.target_ready = false;
+    Session session(previewer, oracle);
+    const auto go_on = [&] {
+        while (session.advance(1ms)) {
+        }
+        ASSERT_TRUE(previewer.waits());
+    };
+    const auto error = [&] {
+        FunctionImage lit = image;
+        lit.colour = image.lower[1].colour;
+        return displayed_error(previewer.picture(Overlay::none), lit);
+    };
+    go_on();
+    EXPECT_EQ(previewer.statistics().rungs[1].samples, 0u);
+    for (const float step : {.2f, .6f, .9f}) {
+        SCOPED_TRACE(step);
+        *light = step;
+        previewer.accept_ready(1);
+        EXPECT_FALSE(previewer.done());
+        go_on();
+        EXPECT_LT(error(), .02);
+        EXPECT_EQ(previewer.validate(), "");
+    }
+    oracle.target_ready = true;
+    previewer.accept_ready(target_rung);
+    while (session.advance(1ms)) {
+    }
+    EXPECT_TRUE(previewer.done());
+    EXPECT_FALSE(previewer.waits());
+    EXPECT_EQ(displayed_error(previewer.picture(Overlay::none), image), 0);
+}
+
+/// With too few samples for a trial, and with one that is all the same.
+TEST(MeshPreviewerOnALadder, ClimbsToTheTargetHoweverLittleThereIsToSee) {
+    for (const glm::ivec2 size : {glm::ivec2(1, 1), {2, 1}, {3, 2}, {40, 30}}) {
+        FunctionImage image = images::constant(vec3(.5f));
+        image.full_ns = 900'000'000;
+        image.lower = {{image.colour, 1000}};
+        MeshPreviewer previewer(size.x, size.y, {}, {{{"sketch"}, {"target"}}});
+        FunctionOracle oracle(image);
+        Session session(previewer, oracle);
+        while (session.advance(1ms)) {
+        }
+        EXPECT_TRUE(previewer.done()) << size.x << " x " << size.y;
+    }
 }
 
 TEST(MeshPreviewerOnALadder, DependsOnTheAnswersAloneNotOnTheirGrouping) {
