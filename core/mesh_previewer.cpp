@@ -53,7 +53,8 @@ MeshPreviewer::MeshPreviewer(int width, int height, const MeshOptions& options,
       albedo_fetch_(squares_),
       search_({width, height}),
       climb_(ladder, squares_.pixels(), 0),
-      shifts_(ladder.rungs.size() - 1, RungShift(std::max(width, height))) {
+      shifts_(ladder.rungs.size() - 1, RungShift(std::max(width, height))),
+      refresh_(std::max(width, height)) {
     assert(width >= 1 && height >= 1);
     lay_grid();
     climb_ = RungClimb(ladder, squares_.pixels(), grid_.size());

@@ -243,11 +243,12 @@ class MeshPreviewer : public Previewer {
     std::size_t outline_rays_ = 0;   // spent on outlines
     std::size_t waiting_since_ = 0;  // full rays when the next round's first edge was taken
     RungClimb climb_;
-    std::vector<LowSample> low_;      // in the order of their answers: coarse to fine
-    std::size_t low_left_ = 0;        // of them below the target
-    std::size_t low_scanned_ = 0;     // of them need no request for the current rung
-    std::vector<RungShift> shifts_;   // from each rung to the next
-    std::size_t shift_learnt_ = 0;    // positions that they have learnt from
+    std::vector<LowSample> low_;     // in the order of their answers: coarse to fine
+    std::size_t low_left_ = 0;       // of them below the target
+    std::size_t low_scanned_ = 0;    // of them need no request for the current rung
+    std::vector<RungShift> shifts_;  // from each rung to the next
+    RungShift refresh_;              // from a rung as it was to what has become of it
+    std::size_t shift_learnt_ = 0;   // positions learnt from since there was something new to learn
     std::size_t shift_again_at_ = 0;  // shifts are applied again when so many have been learnt
     bool retrace_turn_ = false;
     std::vector<std::uint32_t> grid_costs_;  // of the first samples, nanoseconds

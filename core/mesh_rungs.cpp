@@ -57,14 +57,22 @@ MeshPreviewer::LowSample* MeshPreviewer::keep_low(const Sample& sample, bool usa
 void MeshPreviewer::accept_ready(Rung rung) {
     climb_.ready(rung);
     if (rung == target_rung) return;
-    for (LowSample& low : low_) low.stale = low.stale || low.rung == rung;
+    // What was not traced again since the last time stands as it is shown.
+    for (LowSample& low : low_) {
+        if (low.rung != rung) continue;
+        if (low.stale) low.light = refresh_.apply(low.position, low.surface, low.light);
+        low.stale = true;
+    }
+    refresh_ = RungShift(std::max(width_, height_));
     low_scanned_ = 0;
+    shift_learnt_ = 0;
+    shift_again_at_ = first_shift;
 }
 
 /// Goes to the next rung when it is time to, or when there is nothing more to do on this one.
 bool MeshPreviewer::climb(bool at_rest) {
     if (!climb_.climb(at_rest)) return false;
-    low_scanned_ = 0;
+    low_scanned_ = shift_learnt_ = 0;
     for (const LowSample& low : low_)
         if (low.known && low.rung == climb_.current()) show(low, low.light);
     shift_all();
@@ -140,7 +148,7 @@ void MeshPreviewer::accept_retrace(const Pending& pending, const Sample& sample,
 
 /// A sample in the light of a rung, as far as that has been learnt.
 RungLight MeshPreviewer::shifted(const LowSample& low, Rung rung) const {
-    RungLight light = low.light;
+    RungLight light = low.stale ? refresh_.apply(low.position, low.surface, low.light) : low.light;
     for (std::size_t i = climb_.place(low.rung); i < climb_.place(rung); ++i)
         light = shifts_[i].apply(low.position, low.surface, light);
     return light;
@@ -148,8 +156,12 @@ RungLight MeshPreviewer::shifted(const LowSample& low, Rung rung) const {
 
 /// Where rungs were skipped between the two, what is not known of them goes to the last one.
 void MeshPreviewer::learn_shift(const LowSample& low, const Sample& sample) {
-    if (sample.rung <= low.rung) return;
     const RungLight light = light_of(sample);
+    if (sample.rung == low.rung) {
+        refresh_.learn(low.position, low.surface, low.light, light);
+        ++shift_learnt_;
+    }
+    if (sample.rung <= low.rung) return;
     climb_.compare(low.rung, low.light.colour, light.colour);
     const std::size_t last = climb_.place(sample.rung) - 1;
     const RungLight below = shifted(low, climb_.rung(last));
@@ -170,7 +182,8 @@ void MeshPreviewer::shift_all() {
     shift_again_at_ =
         std::max(first_shift, static_cast<std::size_t>(growth * double(shift_learnt_)));
     for (const LowSample& low : low_)
-        if (low.known && low.rung < climb_.current()) show(low, shifted(low, climb_.current()));
+        if (low.known && (low.rung < climb_.current() || (low.stale && !climb_.at_target())))
+            show(low, shifted(low, climb_.current()));
 }
 
 }  // namespace povpreview
