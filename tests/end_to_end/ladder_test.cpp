@@ -34,7 +34,7 @@ sphere { 0, 1 pigment { rgb <1, .3, .1> } finish { reflection .3 } })",
      "sketch"},
     {"radiosity", "#version 3.7; global_settings { assumed_gamma 1 ",
      "radiosity { count 20 pretrace_start .16 pretrace_end .08 }", R"(}
-camera { location <0, 1, -4> look_at 0 } light_source { <3, 6, -3>, .5 }
+camera { location <0, 1, -4> look_at 0 } light_source { <1, 2, -3>, .5 }
 box { <-3, -1, -5>, <3, 3, 3> pigment { gradient x color_map { [0 rgb x] [1 rgb z] } scale 6 }
   finish { ambient 0 } } sphere { 0, 1 pigment { rgb .9 } finish { ambient 0 } })",
      "sketch"},
