@@ -49,8 +49,8 @@ bool equal(const Sample& p, const Sample& q) {
     return p.parts == q.parts && p.position == q.position && p.kind == q.kind &&
            p.failed == q.failed && p.colour == q.colour && p.transmittance == q.transmittance &&
            p.surface == q.surface && p.reflected_surface == q.reflected_surface &&
-           p.depth == q.depth && p.normal == q.normal &&
-           p.albedo == q.albedo && p.illumination == q.illumination && p.remainder == q.remainder &&
+           p.depth == q.depth && p.normal == q.normal && p.albedo == q.albedo &&
+           p.illumination == q.illumination && p.remainder == q.remainder &&
            p.signature == q.signature && p.cost_ns == q.cost_ns;
 }
 
