@@ -265,7 +265,8 @@ void PovrayOracle::handle_failure(const report::Failure& failure) {
              "check the options meant for POV-Ray");
     const bool confined = settings_.sandbox && names_missing_file(text);
     const bool wrote = text.find("prohibit write access") != std::string::npos;
-    fail(state_ >= State::serving ? Exit::tracer : Exit::scene,
+    // Photons and radiosity, which may be of files that are missing, come beside the first samples.
+    fail(state_ >= State::serving && target_ready() ? Exit::tracer : Exit::scene,
          text.empty() ? "POV-Ray failed without a message" : text,
          wrote ? "give --allow-writing if you trust the scene"
          : confined
