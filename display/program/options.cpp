@@ -64,12 +64,17 @@ Share read_share(const std::string& text) {
     return {static_cast<std::size_t>(index), static_cast<std::size_t>(count)};
 }
 
-/// Options that all commands have.
+/// For commands that draw.
 template <class Options>
-void add_common(CLI::App& app, Options& options) {
+void add_backend(CLI::App& app, Options& options) {
     app.add_option("--backend", options.backend, "OpenGL by: auto, egl, osmesa")
         ->transform(CLI::CheckedTransformer(backends))
         ->option_text("NAME");
+}
+
+/// Options that all commands have which trace.
+template <class Options>
+void add_common(CLI::App& app, Options& options) {
     app.add_flag("--allow-writing", options.allow_writing,
                  "Let the scene write files (#fopen), in its folder and the working folder");
     app.add_option("--stall-timeout", options.stall_timeout,
@@ -200,6 +205,7 @@ void read_preview(const std::vector<std::string>& words, CommandLine& result) {
     add_finish(app, options, memory_mib);
     add_time(app, options);
     add_accuracy(app, options);
+    add_backend(app, options);
     add_common(app, options);
     parse(app, words, options.povray, result);
     if (!result.text.empty()) return;
@@ -246,6 +252,7 @@ void read_compare(const std::vector<std::string>& words, CommandLine& result) {
         ->option_text("N");
     add_time(app, options);
     add_accuracy(app, options);
+    add_backend(app, options);
     add_common(app, options);
     parse(app, words, options.povray, result);
     if (!result.text.empty()) return;
@@ -280,6 +287,7 @@ void read_figures(const std::vector<std::string>& words, CommandLine& result) {
                    "hundred pixels)")
         ->check(CLI::PositiveNumber)
         ->option_text("N");
+    add_backend(app, options);
     add_common(app, options);
     parse(app, words, options.povray, result);
     if (!result.text.empty()) return;

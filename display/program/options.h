@@ -74,7 +74,6 @@ struct PlanOptions {
     std::vector<std::string> povray;
     bool run = false;      ///< to the end, to tell what the stages took
     int mirror_depth = 1;  ///< see EdgeFinding
-    Backend backend = Backend::automatic;
     double stall_timeout = 60;
     bool allow_writing = false;  ///< scenes may write files beside themselves
 };
