@@ -302,8 +302,8 @@ class Preview {
         write_image(compose(panels), options_.snapshots / name, FileFormat::png8);
     }
 
+    /// The standing comes last: whoever reads the end of the log wants the counts.
     void write_log() {
-        log_->write(main_->standing());
         if (!plan_logged_ && scene_->items_finished()) {
             const std::vector<Stage> stages = main_->stages();
             plan_logged_ = !stages.empty();
@@ -316,6 +316,7 @@ class Preview {
         const auto& faults = scene_->oracle().faults();
         for (; faults_logged_ < faults.size(); ++faults_logged_)
             log_->write_event(scene_->time_s(), faults[faults_logged_]);
+        log_->write(main_->standing());
     }
 
     /// The preview becomes the render. What goes wrong here is said, and the picture still saved.
