@@ -177,7 +177,7 @@ float AdaptiveLattice::weight(const Cell& cell, const DetailMap* detail) const {
     const int right = std::min(cell.x + cell.side, width_),
               below = std::min(cell.y + cell.side, height_);
     const auto area = static_cast<float>((right - cell.x) * (below - cell.y));
-    if (!detail) return (blank_contrast + contrast(c)) * area;
+    if (!detail) return (blank_contrast + contrast(c, nullptr)) * area;
     std::array<std::uint32_t, 4> items;
     for (std::size_t i = 0; i < c.size(); ++i) items[i] = detail->item(c[i]);
     int orphans = 0;
@@ -189,34 +189,28 @@ float AdaptiveLattice::weight(const Cell& cell, const DetailMap* detail) const {
                        item != items[2] && item != items[3];
         }
     }
-    return (blank_contrast + contrast(c, items, *detail)) * area +
+    return (blank_contrast + contrast(c, detail)) * area +
            orphan_contrast * static_cast<float>(orphans);
 }
 
-/// The most by which two corners differ, as displayed.
-float AdaptiveLattice::contrast(const Corners& c) const {
-    float most = 0;
-    for (std::size_t i = 0; i < c.size(); ++i)
-        for (std::size_t j = 0; j < i; ++j) most = std::max(most, jump(c[i], c[j]));
-    return std::sqrt(most);
-}
-
-float AdaptiveLattice::contrast(const Corners& c, const std::array<std::uint32_t, 4>& items,
-                                const DetailMap& detail) const {
+/// The most by which two corners differ, as displayed. Where the texture is known, only the light
+/// is to be found out.
+float AdaptiveLattice::contrast(const Corners& c, const DetailMap* detail) const {
     std::array<std::optional<glm::vec3>, 4> lights;
-    for (std::size_t i = 0; i < c.size(); ++i)
-        if (!lights_of_.empty() && lights_of_[c[i]] &&
-            detail.albedo_state(c[i]) == DetailMap::Albedo::known) {
-            const Light& light = lights_[lights_of_[c[i]] - 1];
-            lights[i] = roughly_encoded(detail.albedo(c[0]) * light.illumination + light.remainder);
-        }
+    if (detail && !lights_of_.empty())
+        for (std::size_t i = 0; i < c.size(); ++i)
+            if (lights_of_[c[i]] && detail->albedo_state(c[i]) == DetailMap::Albedo::known) {
+                const Light& light = lights_[lights_of_[c[i]] - 1];
+                lights[i] =
+                    roughly_encoded(detail->albedo(c[0]) * light.illumination + light.remainder);
+            }
     float most = 0;
     for (std::size_t i = 0; i < c.size(); ++i)
         for (std::size_t j = 0; j < i; ++j) {
-            const bool known = items[i] != DetailMap::unknown && items[j] != DetailMap::unknown;
-            const bool same = items[i] == items[j];
-            // Where the texture is known, only the light is to be found out.
-            const float d = known && same && lights[i] && lights[j]
+            const bool known = detail && detail->item(c[i]) != DetailMap::unknown &&
+                               detail->item(c[j]) != DetailMap::unknown;
+            const bool same = known && detail->item(c[i]) == detail->item(c[j]);
+            const float d = same && lights[i] && lights[j]
                                 ? colour_distance(*lights[i], *lights[j])
                                 : jump(c[i], c[j]) * (known && !same ? jump_share * jump_share : 1);
             most = std::max(most, d);
@@ -234,10 +228,12 @@ float AdaptiveLattice::jump(Pixel p, Pixel q) const {
 void AdaptiveLattice::draw(Picture& picture, const DetailMap* detail,
                            std::span<const Pixel> anchors) const {
     for_each_leaf([&](const Cell& cell) {
-        if (detail)
-            draw(cell, *detail, anchors, picture);
-        else
-            draw(cell, picture);
+        for (int y = cell.y; y < std::min(cell.y + cell.side, height_); ++y)
+            for (int x = cell.x; x < std::min(cell.x + cell.side, width_); ++x)
+                if (const Pixel pixel = pixel_at(x, y); squares_.has_colour(pixel))
+                    picture.known[pixel] = 1;
+                else
+                    draw(cell, x, y, detail, anchors, picture);
     });
 }
 
@@ -284,82 +280,56 @@ std::array<float, 4> bilinear(float u, float v) {
 
 }  // namespace
 
-void AdaptiveLattice::draw(const Cell& cell, Picture& picture) const {
+/// A cell's corners, by how much a pixel in it, or beyond its end, takes from each.
+AdaptiveLattice::Parts4 AdaptiveLattice::parts(const Cell& cell, int x, int y) const {
     const Corners c = corners(cell);
-    for (int y = cell.y; y < std::min(cell.y + cell.side, height_); ++y)
-        for (int x = cell.x; x < std::min(cell.x + cell.side, width_); ++x) {
-            const Pixel pixel = pixel_at(x, y);
-            if (squares_.has_colour(pixel)) {
-                picture.known[pixel] = 1;
-                continue;
-            }
-            const auto share = bilinear(between(x, cell.x, cell.side, width_),
-                                        between(y, cell.y, cell.side, height_));
-            std::array<Part, 4> parts;
-            for (std::size_t i = 0; i < 4; ++i) parts[i] = {c[i], share[i]};
-            glm::vec3 encoded;
-            if (!mix(parts, encoded)) continue;
-            picture.pixels[pixel] = decode_quickly(encoded);
-            picture.known[pixel] = 1;
-        }
+    const auto share =
+        bilinear(between(x, cell.x, cell.side, width_), between(y, cell.y, cell.side, height_));
+    return {Part{c[0], share[0]}, Part{c[1], share[1]}, Part{c[2], share[2]}, Part{c[3], share[3]}};
 }
 
-/// Where no corner is on a pixel's item, those of the larger cells around are asked, and then the
-/// item's anchor.
-void AdaptiveLattice::draw(const Cell& cell, const DetailMap& detail,
-                           std::span<const Pixel> anchors, Picture& picture) const {
-    const auto parts_on = [&](std::uint32_t item, int x, int y, const Cell& around, auto& parts) {
-        const Corners c = corners(around);
-        const auto share = bilinear(between(x, around.x, around.side, width_),
-                                    between(y, around.y, around.side, height_));
+/// What stands for a pixel of an item: the corners on it; where none is, those of the larger cells
+/// around, and then the item's anchor.
+std::optional<AdaptiveLattice::Parts4> AdaptiveLattice::parts_on(
+    std::uint32_t item, const Cell& cell, int x, int y, const DetailMap& detail,
+    std::span<const Pixel> anchors) const {
+    if (item == DetailMap::unknown) return std::nullopt;
+    for (int side = cell.side; side <= first_side; side *= 2) {
+        Parts4 result =
+            parts({static_cast<std::uint16_t>(x / side * side),
+                   static_cast<std::uint16_t>(y / side * side), static_cast<std::uint16_t>(side)},
+                  x, y);
         bool any = false;
-        for (std::size_t i = 0; i < 4; ++i) {
-            const bool on = detail.item(c[i]) == item && squares_.has_colour(c[i]);
+        for (Part& part : result) {
+            const bool on = detail.item(part.pixel) == item && squares_.has_colour(part.pixel);
             // A corner beyond an edge may be the only one on the item, at no distance.
-            parts[i] = {c[i], on ? std::max(share[i], 1e-3f) : 0};
+            part.share = on ? std::max(part.share, 1e-3f) : 0;
             any = any || on;
         }
-        return any;
-    };
-    for (int y = cell.y; y < std::min(cell.y + cell.side, height_); ++y)
-        for (int x = cell.x; x < std::min(cell.x + cell.side, width_); ++x) {
-            const Pixel pixel = pixel_at(x, y);
-            if (squares_.has_colour(pixel)) {
-                picture.known[pixel] = 1;
-                continue;
-            }
-            std::array<Part, 4> parts;
-            const std::uint32_t item = detail.item(pixel);
-            bool found = false;
-            for (int side = cell.side; item != DetailMap::unknown && !found && side <= first_side;
-                 side *= 2)
-                found = parts_on(
-                    item, x, y,
-                    {static_cast<std::uint16_t>(x / side * side),
-                     static_cast<std::uint16_t>(y / side * side), static_cast<std::uint16_t>(side)},
-                    parts);
-            if (!found && item < anchors.size() && anchors[item] != no_anchor &&
-                squares_.has_colour(anchors[item])) {
-                parts = {Part{anchors[item], 1}, {pixel, 0}, {pixel, 0}, {pixel, 0}};
-                found = true;
-            }
-            if (!found) {
-                const Corners c = corners(cell);
-                const auto share = bilinear(between(x, cell.x, cell.side, width_),
-                                            between(y, cell.y, cell.side, height_));
-                for (std::size_t i = 0; i < 4; ++i) parts[i] = {c[i], share[i]};
-            }
-            glm::vec3 colour;
-            if (found && detail.albedo_state(pixel) == DetailMap::Albedo::known &&
-                mix_light(parts, detail.albedo(pixel), colour)) {
-                picture.pixels[pixel] = colour;
-            } else if (mix(parts, colour)) {
-                picture.pixels[pixel] = decode_quickly(colour);
-            } else {
-                continue;
-            }
-            picture.known[pixel] = 1;
-        }
+        if (any) return result;
+    }
+    if (item >= anchors.size() || anchors[item] == no_anchor || !squares_.has_colour(anchors[item]))
+        return std::nullopt;
+    return Parts4{
+        Part{anchors[item], 1}, {anchors[item], 0}, {anchors[item], 0}, {anchors[item], 0}};
+}
+
+/// Draws a pixel that is not known, if anything around it is.
+void AdaptiveLattice::draw(const Cell& cell, int x, int y, const DetailMap* detail,
+                           std::span<const Pixel> anchors, Picture& picture) const {
+    const Pixel pixel = pixel_at(x, y);
+    const auto on_item =
+        detail ? parts_on(detail->item(pixel), cell, x, y, *detail, anchors) : std::nullopt;
+    glm::vec3 colour;
+    if (on_item && detail->albedo_state(pixel) == DetailMap::Albedo::known &&
+        mix_light(*on_item, detail->albedo(pixel), colour)) {
+        picture.pixels[pixel] = colour;
+    } else if (mix(on_item ? *on_item : parts(cell, x, y), colour)) {
+        picture.pixels[pixel] = decode_quickly(colour);
+    } else {
+        return;
+    }
+    picture.known[pixel] = 1;
 }
 
 }  // namespace povpreview

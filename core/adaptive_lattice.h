@@ -80,6 +80,7 @@ class AdaptiveLattice {
         float share;
     };
     using Corners = std::array<Pixel, 4>;  // row by row
+    using Parts4 = std::array<Part, 4>;
 
     static constexpr std::uint8_t splitting = 0x80;
     int side_at(Pixel first) const { return leaf_side_[first] & ~splitting; }
@@ -92,9 +93,7 @@ class AdaptiveLattice {
     void take_complete(const DetailMap* detail);
     void weigh(const Cell& cell, const DetailMap* detail);
     float weight(const Cell& cell, const DetailMap* detail) const;
-    float contrast(const Corners& corners) const;
-    float contrast(const Corners& corners, const std::array<std::uint32_t, 4>& items,
-                   const DetailMap& detail) const;
+    float contrast(const Corners& corners, const DetailMap* detail) const;
     float jump(Pixel p, Pixel q) const;
     template <class Visit>
     void for_each_quarter(const Cell& cell, const Visit& visit) const;
@@ -102,9 +101,11 @@ class AdaptiveLattice {
     void for_each_leaf(const Cell& cell, const Visit& visit) const;
     template <class Visit>
     void for_each_leaf(const Visit& visit) const;
-    void draw(const Cell& cell, Picture& picture) const;
-    void draw(const Cell& cell, const DetailMap& detail, std::span<const Pixel> anchors,
-              Picture& picture) const;
+    Parts4 parts(const Cell& cell, int x, int y) const;
+    std::optional<Parts4> parts_on(std::uint32_t item, const Cell& cell, int x, int y,
+                                   const DetailMap& detail, std::span<const Pixel> anchors) const;
+    void draw(const Cell& cell, int x, int y, const DetailMap* detail,
+              std::span<const Pixel> anchors, Picture& picture) const;
     bool mix(std::span<const Part> parts, glm::vec3& encoded) const;
     bool mix_light(std::span<const Part> parts, const glm::vec3& albedo, glm::vec3& linear) const;
 
