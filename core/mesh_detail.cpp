@@ -6,9 +6,9 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "core/colour.h"
 #include "core/detail/edge_detail.h"
 #include "core/mesh_previewer.h"
+#include "core/sound_shading.h"
 
 namespace povpreview {
 
@@ -95,12 +95,9 @@ std::uint32_t MeshPreviewer::item_seen(const Sample& sample) {
     return item;
 }
 
-/// Whether a sample's shading came, and is sound. It may not have been wanted yet when the sample
-/// was asked for.
+/// Whether a sample's shading is wanted, came, and is sound.
 bool MeshPreviewer::shaded(const Sample& sample) const {
-    return contains(parts(), Parts::shading) && contains(sample.parts, Parts::shading) &&
-           sample.surface != 0 && finite(sample.albedo) && finite(sample.illumination) &&
-           finite(sample.remainder);
+    return contains(parts(), Parts::shading) && has_sound_shading(sample);
 }
 
 /// Between the pixels of a lattice, items and albedos are of use as soon as they are known.

@@ -50,14 +50,13 @@ MeshPreviewer::MeshPreviewer(int width, int height, const MeshOptions& options,
       options_(options),
       squares_(width, height),
       mesh_(width, height),
+      grid_(first_grid()),
       albedo_fetch_(squares_),
       search_({width, height}),
-      climb_(ladder, squares_.pixels(), 0),
+      climb_(ladder, squares_.pixels(), grid_.size()),
       shifts_(ladder.rungs.size() - 1, RungShift(std::max(width, height))),
       refresh_(std::max(width, height)) {
     assert(width >= 1 && height >= 1);
-    lay_grid();
-    climb_ = RungClimb(ladder, squares_.pixels(), grid_.size());
 }
 
 std::string_view MeshPreviewer::name() const {
@@ -79,11 +78,12 @@ Parts MeshPreviewer::parts() const {
 
 /// A regular grid from border to border, asked for in levels from coarse to fine, so that even its
 /// first answers are spread over the image.
-void MeshPreviewer::lay_grid() {
+std::vector<Pixel> MeshPreviewer::first_grid() const {
     const double cell = std::max(2., options_.grid_cell * std::max(width_, height_));
     const int columns = std::max(1, static_cast<int>(std::lround(width_ / cell)));
     const int rows = std::max(1, static_cast<int>(std::lround(height_ / cell)));
     const auto pixel = [](int i, int cells, int pixels) { return i * (pixels - 1) / cells; };
+    std::vector<Pixel> grid;
     std::vector<bool> taken(squares_.pixels());
     int step = 1;
     while (step < std::max(columns, rows)) step *= 2;
@@ -93,9 +93,10 @@ void MeshPreviewer::lay_grid() {
                 if ((i % step && i != columns) || (j % step && j != rows)) continue;
                 const auto p = static_cast<Pixel>(pixel(j, rows, height_) * width_ +
                                                   pixel(i, columns, width_));
-                if (!taken[p]) grid_.push_back(p);
+                if (!taken[p]) grid.push_back(p);
                 taken[p] = true;
             }
+    return grid;
 }
 
 /// The first samples tell what the rest will cost.

@@ -122,7 +122,7 @@ class MeshPreviewer : public Previewer {
     Stage rising_stage() const;
     double vertex_share() const;
 
-    void lay_grid();
+    std::vector<Pixel> first_grid() const;
     void learn_cost(const Sample& sample);
     std::size_t early_samples() const;
     bool seem_cheap() const;
@@ -193,7 +193,6 @@ class MeshPreviewer : public Previewer {
 
         void show_at(SampleId sample, VertexId vertex);
     };
-    RungLight light_of(const Sample& sample) const;
     LowSample* keep_low(const Sample& sample, bool usable, std::optional<Pixel> pixel);
     bool climb(bool at_rest = false);
     void reach_target();

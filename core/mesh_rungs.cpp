@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/colour.h"
 #include "core/mesh_previewer.h"
+#include "core/sound_shading.h"
 
 namespace povpreview {
 
@@ -17,6 +17,16 @@ namespace {
 constexpr double growth = 1.5;
 constexpr std::size_t first_shift = 8;
 
+RungLight light_of(const Sample& sample) {
+    RungLight light{.colour = sample.colour};
+    light.shaded = has_sound_shading(sample);
+    if (!light.shaded) return light;
+    light.albedo = sample.albedo;
+    light.illumination = sample.illumination;
+    light.remainder = sample.remainder;
+    return light;
+}
+
 }  // namespace
 
 void MeshPreviewer::LowSample::show_at(SampleId sample, VertexId vertex) {
@@ -26,17 +36,6 @@ void MeshPreviewer::LowSample::show_at(SampleId sample, VertexId vertex) {
             vertices[i] = vertex;
             return;
         }
-}
-
-RungLight MeshPreviewer::light_of(const Sample& sample) const {
-    RungLight light{.colour = sample.colour};
-    light.shaded = contains(sample.parts, Parts::shading) && sample.surface != 0 &&
-                   finite(sample.albedo) && finite(sample.illumination) && finite(sample.remainder);
-    if (!light.shaded) return light;
-    light.albedo = sample.albedo;
-    light.illumination = sample.illumination;
-    light.remainder = sample.remainder;
-    return light;
 }
 
 /// Remembers a sample that is below the target; null for all others. The pointer is good until the

@@ -56,16 +56,18 @@ void RungShift::learn(glm::dvec2 position, std::uint32_t surface, const RungLigh
     ++size_;
 }
 
+void RungShift::Cell::add(const Cell& other, float share) {
+    weight += share * other.weight;
+    colour += share * other.colour;
+    light_weight += share * other.light_weight;
+    illumination += share * other.illumination;
+    remainder += share * other.remainder;
+}
+
 void RungShift::add(glm::dvec2 position, std::uint32_t surface, const Cell& difference) {
     for (int level = 0; level < levels; ++level)
         for_cells_around(position, surface, level, [&](std::uint64_t key, float w) {
-            if (w <= 0) return;
-            Cell& cell = cells_[key];
-            cell.weight += w * difference.weight;
-            cell.colour += w * difference.colour;
-            cell.light_weight += w * difference.light_weight;
-            cell.illumination += w * difference.illumination;
-            cell.remainder += w * difference.remainder;
+            if (w > 0) cells_[key].add(difference, w);
         });
 }
 
@@ -73,13 +75,8 @@ void RungShift::refine(glm::dvec2 position, std::uint32_t surface, Estimate& est
     for (int level = 0; level < levels; ++level) {
         Cell around;
         for_cells_around(position, surface, level, [&](std::uint64_t key, float w) {
-            const auto cell = cells_.find(key);
-            if (cell == cells_.end()) return;
-            around.weight += w * cell->second.weight;
-            around.colour += w * cell->second.colour;
-            around.light_weight += w * cell->second.light_weight;
-            around.illumination += w * cell->second.illumination;
-            around.remainder += w * cell->second.remainder;
+            if (const auto cell = cells_.find(key); cell != cells_.end())
+                around.add(cell->second, w);
         });
         if (around.weight <= 0) return;  // finer cells are empty as well
         const auto mix = [](glm::vec3& part, const glm::vec3& sum, float weight) {

@@ -48,6 +48,8 @@ class RungShift {
     struct Cell {
         float weight = 0, light_weight = 0;
         glm::vec3 colour{}, illumination{}, remainder{};
+
+        void add(const Cell& other, float share);
     };
     struct Estimate {
         glm::vec3 colour{}, illumination{}, remainder{};
