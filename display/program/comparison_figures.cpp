@@ -52,9 +52,7 @@ class ComparisonFigures {
    private:
     void trace(const std::string& method) {
         CompareOptions compare;
-        compare.mirror_depth = options_.mirror_depth;
-        compare.stall_timeout = options_.stall_timeout;
-        compare.allow_writing = options_.allow_writing;
+        static_cast<TracingOptions&>(compare) = options_;
         moments_.push_back(run_method(method, scene_, compare, line_).moments);
         for (const Moment& moment : moments_.back()) {
             const Image image =

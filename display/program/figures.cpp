@@ -97,11 +97,10 @@ class Figures {
     Exit run() {
         make_folder(options_.out, "--out");
         reference_ = stock_reference(options_.povray, options_.out, interrupted);
-        TracedScene scene(
-            povray_, {.stall_timeout_s = options_.stall_timeout, .writes = options_.allow_writing},
-            [&](const std::string& text) { line_.show(text); }, interrupted,
-            {.edges = EdgeFinding{.mirror_depth = options_.mirror_depth},
-             .items = options_.figure == 2});
+        TracedScene scene(povray_, options_.tracer,
+                          [&](const std::string& text) { line_.show(text); }, interrupted,
+                          {.edges = EdgeFinding{.mirror_depth = options_.mirror_depth},
+                           .items = options_.figure == 2});
         size_ = {scene.description().width, scene.description().height};
         check_size();
         add("a", decoded(reference_),

@@ -64,8 +64,7 @@ MethodRun run_ours(const std::string& method, const ComparedScene& compared,
                    const CompareOptions& options, ProgressLine& line) {
     OwnMemory own;
     TracedScene scene(
-        read_povray_options(compared.words),
-        {.stall_timeout_s = options.stall_timeout, .writes = options.allow_writing},
+        read_povray_options(compared.words), options.tracer,
         [&](const std::string& text) { line.show(compared.name + ", " + method + ": " + text); },
         interrupted, foreknowledge_for(method_needs(method), options.mirror_depth));
     check_size({scene.description().width, scene.description().height}, compared.reference);
@@ -134,10 +133,9 @@ struct WorkingGamma {
 
 MethodRun run_stock(const ComparedScene& scene, const CompareOptions& options, ProgressLine& line) {
     const auto describe = [&] {
-        TracedScene parsed(
-            read_povray_options(scene.words),
-            {.stall_timeout_s = options.stall_timeout, .writes = options.allow_writing},
-            [&](const std::string& text) { line.show(scene.name + ": " + text); }, interrupted, {});
+        TracedScene parsed(read_povray_options(scene.words), options.tracer,
+                           [&](const std::string& text) { line.show(scene.name + ": " + text); },
+                           interrupted, {});
         return std::pair(glm::ivec2(parsed.description().width, parsed.description().height),
                          parsed.description().working_gamma);
     };

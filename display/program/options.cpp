@@ -72,12 +72,10 @@ void add_backend(CLI::App& app, Options& options) {
         ->option_text("NAME");
 }
 
-/// Options that all commands have which trace.
-template <class Options>
-void add_common(CLI::App& app, Options& options) {
-    app.add_flag("--allow-writing", options.allow_writing,
+void add_tracing(CLI::App& app, TracingOptions& options) {
+    app.add_flag("--allow-writing", options.tracer.writes,
                  "Let the scene write files (#fopen), in its folder and the working folder");
-    app.add_option("--stall-timeout", options.stall_timeout,
+    app.add_option("--stall-timeout", options.tracer.stall_timeout_s,
                    "Give the tracer up when it has been silent for so long (default 60)")
         ->check(CLI::PositiveNumber)
         ->option_text("SECONDS");
@@ -206,7 +204,7 @@ void read_preview(const std::vector<std::string>& words, CommandLine& result) {
     add_time(app, options);
     add_accuracy(app, options);
     add_backend(app, options);
-    add_common(app, options);
+    add_tracing(app, options);
     parse(app, words, options.povray, result);
     if (!result.text.empty()) return;
     if (version) {
@@ -214,7 +212,7 @@ void read_preview(const std::vector<std::string>& words, CommandLine& result) {
         return;
     }
     if (!size.empty()) options.size = read_size(size);
-    options.memory = memory_mib << 20;
+    options.tracer.memory = memory_mib << 20;
     check_finish(options);
     result.preview = std::move(options);
 }
@@ -253,7 +251,7 @@ void read_compare(const std::vector<std::string>& words, CommandLine& result) {
     add_time(app, options);
     add_accuracy(app, options);
     add_backend(app, options);
-    add_common(app, options);
+    add_tracing(app, options);
     parse(app, words, options.povray, result);
     if (!result.text.empty()) return;
     check_out(options, "compare");
@@ -288,7 +286,7 @@ void read_figures(const std::vector<std::string>& words, CommandLine& result) {
         ->check(CLI::PositiveNumber)
         ->option_text("N");
     add_backend(app, options);
-    add_common(app, options);
+    add_tracing(app, options);
     parse(app, words, options.povray, result);
     if (!result.text.empty()) return;
     check_out(options, "figures");
@@ -306,7 +304,7 @@ void read_plan(const std::vector<std::string>& words, CommandLine& result) {
         "povpreview plan");
     app.set_help_flag("--help", "Show this text");
     app.add_flag("--run", options.run, "Run the preview to its end, and tell what each part took");
-    add_common(app, options);
+    add_tracing(app, options);
     parse(app, words, options.povray, result);
     if (result.text.empty()) result.plan = std::move(options);
 }

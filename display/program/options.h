@@ -10,6 +10,7 @@
 #include "core/previewer.h"
 #include "display/gl_context.h"
 #include "display/image_file.h"
+#include "display/program/tracer_wishes.h"
 
 namespace povpreview {
 
@@ -19,9 +20,15 @@ enum class Engine {
     tracer  ///< the patched one, a sample at every pixel's centre
 };
 
-/// What `povpreview SCENE.pov` was asked to do. Times are seconds since the end of the parse.
-struct PreviewOptions {
+/// What every command that traces is asked.
+struct TracingOptions {
     std::vector<std::string> povray;  ///< everything that is not ours, in order
+    int mirror_depth = 1;             ///< edges are found in mirrors seen in mirrors, so many deep
+    TracerWishes tracer;
+};
+
+/// What `povpreview SCENE.pov` was asked to do. Times are seconds since the end of the parse.
+struct PreviewOptions : TracingOptions {
     bool headless = false;
     std::optional<double> time;
     std::optional<std::size_t> samples;  ///< full rays of the method shown
@@ -32,50 +39,34 @@ struct PreviewOptions {
     std::optional<glm::ivec2> size;                ///< of pictures, where it is not the scene's
     std::filesystem::path snapshots, log, output;  ///< empty: not wanted
     std::filesystem::path reference;  ///< finished picture that captions measure against, or empty
-    int mirror_depth = 1;             ///< edges are found in mirrors seen in mirrors, so many deep
     std::string accuracy;  ///< rung of the ladder to stay on; empty: from the lowest to the target
-    double stall_timeout = 60;
-    bool allow_writing = false;     ///< scenes may write files beside themselves
-    bool finish = false;            ///< POV-Ray's image is made in the end
+    bool finish = false;   ///< POV-Ray's image is made in the end
     std::filesystem::path session;  ///< file that keeps the samples, or empty
     bool resume = false;            ///< the session's samples are used
-    std::uint64_t memory = 0;       ///< bytes that the tracer may use; 0: any number
 };
 
 /// What `povpreview compare SCENE.pov...` was asked to do.
-struct CompareOptions {
-    std::vector<std::string> povray;
+struct CompareOptions : TracingOptions {
     std::filesystem::path out;
     std::vector<std::string> methods;
     std::optional<double> time;  ///< for each method; to completion if not given
     int repeat = 1;              ///< runs of each method on each scene
     int threads = 0;             ///< that trace, and cores for everything; 0: all of the machine
-    int mirror_depth = 1;
     std::string accuracy;
     Backend backend = Backend::automatic;
-    double stall_timeout = 60;
-    bool allow_writing = false;  ///< scenes may write files beside themselves
 };
 
 /// What `povpreview figures SCENE.pov` was asked to do.
-struct FiguresOptions {
-    std::vector<std::string> povray;
+struct FiguresOptions : TracingOptions {
     std::filesystem::path out;
     int figure = 1;                      ///< of the paper: 1 to 4
     std::optional<std::size_t> samples;  ///< of each preview; one for a hundred pixels if not given
-    int mirror_depth = 1;                ///< see EdgeFinding
     Backend backend = Backend::automatic;
-    double stall_timeout = 60;
-    bool allow_writing = false;  ///< scenes may write files beside themselves
 };
 
 /// What `povpreview plan SCENE.pov` was asked to do.
-struct PlanOptions {
-    std::vector<std::string> povray;
-    bool run = false;      ///< to the end, to tell what the stages took
-    int mirror_depth = 1;  ///< see EdgeFinding
-    double stall_timeout = 60;
-    bool allow_writing = false;  ///< scenes may write files beside themselves
+struct PlanOptions : TracingOptions {
+    bool run = false;  ///< to the end, to tell what the stages took
 };
 
 /// Every `count`-th item of a list, beginning with item `index`.

@@ -45,8 +45,7 @@ std::string plan_table(const std::vector<Stage>& stages, bool taken) {
 Exit plan(const PlanOptions& options) {
     ProgressLine line;
     TracedScene scene(
-        read_povray_options(options.povray),
-        {.stall_timeout_s = options.stall_timeout, .writes = options.allow_writing},
+        read_povray_options(options.povray), options.tracer,
         [&](const std::string& what) { line.show(what); }, interrupted,
         foreknowledge_for(method_needs("mesh"), options.mirror_depth));
     StrategyRun run("mesh", scene, scene.oracle(), std::nullopt);

@@ -55,12 +55,11 @@ class Preview {
     Exit run() {
         for (const std::string& departure : povray_.departures)
             fmt::print(stderr, "povpreview: {}\n", departure);
-        if (options_.finish) scratch_.emplace();
+        TracerWishes wishes = options_.tracer;
+        if (options_.finish) wishes.finish_folder = scratch_.emplace().path();
         scene_.emplace(
-            povray_,
-            TracerWishes{options_.stall_timeout, scratch_ ? scratch_->path() : "", options_.memory,
-                         options_.allow_writing},
-            [&](const std::string& what) { line_.show(what); }, interrupted, foreknowledge());
+            povray_, wishes, [&](const std::string& what) { line_.show(what); }, interrupted,
+            foreknowledge());
         if (options_.finish) check_image(scene_->description().output);
         open_window();
         lanes_.emplace(samples());

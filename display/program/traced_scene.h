@@ -16,6 +16,7 @@
 #include "core/detail/item_search.h"
 #include "core/edge_search.h"
 #include "core/methods.h"
+#include "display/program/tracer_wishes.h"
 
 namespace povpreview {
 
@@ -29,14 +30,6 @@ Foreknowledge foreknowledge_for(const MethodNeeds& needs, int mirror_depth);
 
 /// What a tracer is doing, for people: "parsing, 12,000 tokens".
 std::string sentence(const report::Progress& progress);
-
-/// How a tracer is to be run.
-struct TracerWishes {
-    double stall_timeout_s = 60;
-    std::filesystem::path finish_folder = {};  ///< see PovrayOracle::Settings
-    std::uint64_t memory = 0;                  ///< bytes that it may use; 0: any number
-    bool writes = false;                       ///< the scene may write files, beside itself
-};
 
 /// A scene in a tracer of its own, parsed, and the clocks that run since.
 class TracedScene {

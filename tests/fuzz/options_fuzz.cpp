@@ -34,7 +34,7 @@ void options(std::span<const std::byte> bytes) {
         if (!line.preview) return;
         promise(!line.preview->time || *line.preview->time > 0, "a time that is none");
         promise(!line.preview->samples || *line.preview->samples > 0, "no samples");
-        promise(line.preview->stall_timeout > 0, "a timeout that is none");
+        promise(line.preview->tracer.stall_timeout_s > 0, "a timeout that is none");
         read_povray_options(line.preview->povray);
     } catch (const Error& error) {
         promise(error.exit() == Exit::usage, "not the user's fault");
