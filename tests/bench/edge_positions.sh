@@ -12,17 +12,11 @@
 set -euo pipefail
 edge_positions=$(realpath "$1") out=$2
 shift 2
-here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
-examples=/usr/share/doc/povray/examples
-mkdir -p "$out"
-out=$(realpath "$out")
+. "$(dirname "${BASH_SOURCE[0]}")/scenes.sh"
 scenes=("$here"/../../scenes/office.pov "$here"/../../scenes/chair_mirror.pov)
 while read -r scene textured; do
     if [ "$textured" ]; then continue; fi
-    case $scene in
-    */*) scenes+=("$examples/$scene") ;;
-    *) scenes+=("$here/../../scenes/$scene") ;;
-    esac
+    scenes+=("$(scene_path "$scene")")
 done < <(grep -v '^#' "$here/polygonal_scenes.txt")
 
 printf '%-20s %-11s %8s %7s %9s %7s %6s %6s %6s %6s %6s\n' scene kind jumps found length right \

@@ -14,10 +14,7 @@
 set -euo pipefail
 povpreview=$(realpath "$1") out=$2
 shift 2
-here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
-examples=/usr/share/doc/povray/examples
-mkdir -p "$out"
-out=$(realpath "$out")
+. "$(dirname "${BASH_SOURCE[0]}")/scenes.sh"
 
 run() { # accuracy (empty: rising), name, scene, its options; "${common[@]}" are those of all
     "$povpreview" compare +W320 +H240 "$3" "${@:4}" --methods mesh --time 20 --out "$out/$2" \
@@ -31,10 +28,7 @@ while read -r scene options; do
     name=$(basename "$scene" .pov)
     names+=("$name")
     [ -z "${RESULTS_ONLY:-}" ] || continue
-    case $scene in
-    */*) scene=$examples/$scene ;;
-    *) scene=$here/../../scenes/$scene ;;
-    esac
+    scene=$(scene_path "$scene")
     # shellcheck disable=SC2086 # options are words
     run '' "$name" "$scene" $options </dev/null
     # shellcheck disable=SC2086

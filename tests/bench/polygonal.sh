@@ -18,17 +18,11 @@
 set -euo pipefail
 povpreview=$(realpath "$1") out=$2
 shift 2
-here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
-examples=/usr/share/doc/povray/examples
-mkdir -p "$out"
-out=$(realpath "$out")
+. "$(dirname "${BASH_SOURCE[0]}")/scenes.sh"
 
 scenes=("$here"/../../scenes/office.pov "$here"/../../scenes/chair_mirror.pov)
 while read -r scene _; do
-    case $scene in
-    */*) scenes+=("$examples/$scene") ;;
-    *) scenes+=("$here/../../scenes/$scene") ;;
-    esac
+    scenes+=("$(scene_path "$scene")")
 done < <(grep -v '^#' "$here/polygonal_scenes.txt")
 
 # samples,error of previews whose edges are known before they begin.

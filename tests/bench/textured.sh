@@ -14,17 +14,11 @@
 set -euo pipefail
 povpreview=$(realpath "$1") out=$2
 shift 2
-here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
-examples=/usr/share/doc/povray/examples
-mkdir -p "$out"
-out=$(realpath "$out")
+. "$(dirname "${BASH_SOURCE[0]}")/scenes.sh"
 
 scenes=()
 while read -r scene _; do
-    case $scene in
-    */*) scenes+=("$examples/$scene") ;;
-    *) scenes+=("$here/../../scenes/$scene") ;;
-    esac
+    scenes+=("$(scene_path "$scene")")
 done < <(grep -v '^#' "$here/textured_scenes.txt")
 if [ -z "${RESULTS_ONLY:-}" ]; then
     "$povpreview" compare "${scenes[@]}" \
