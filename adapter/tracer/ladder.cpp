@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "backend/oracle/ladder.h"
 
+#include <algorithm>
+
 namespace povpreview::tracer {
 
 std::vector<RungKind> rungs_of(const std::set<std::string>& features) {
     std::vector<RungKind> rungs;
-    for (const char* dear : {"area_light", "media", "focal_blur", "subsurface", "radiosity"})
-        if (rungs.empty() && features.count(dear) > 0) rungs.push_back(RungKind::sketch);
+    const auto dear = {"area_light", "media", "focal_blur", "subsurface", "radiosity"};
+    if (std::any_of(dear.begin(), dear.end(), [&](auto name) { return features.count(name) > 0; }))
+        rungs.push_back(RungKind::sketch);
     if (needs_preparation(features)) rungs.push_back(RungKind::unprepared);
     rungs.push_back(RungKind::target);
     return rungs;

@@ -10,6 +10,7 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <utility>
 
 #include "backend/oracle/front_end.h"
 
@@ -109,11 +110,7 @@ void Oracle::note_error(const std::string& text, const std::string& file, long l
         error_ = text;
     } else {
         // Of possible ones the last two: "cannot find file 'sign'" and "cannot find image file".
-        const std::size_t last = possible_error_.find_last_of('\n');
-        possible_error_ =
-            possible_error_.empty()
-                ? text
-                : possible_error_.substr(last == std::string::npos ? 0 : last + 1) + "\n" + text;
+        earlier_possible_error_ = std::exchange(possible_error_, text);
     }
     if (file.empty()) return;
     error_file_ = file;
@@ -124,11 +121,14 @@ void Oracle::fail(const std::string& text) {
     if (!enabled()) return;
     start("", 0);
     const std::lock_guard lock(error_mutex_);
-    std::string message = error_.empty() ? possible_error_ : error_;
+    const std::string& earlier = earlier_possible_error_;
+    const std::string possible =
+        earlier.empty() ? possible_error_ : earlier + " " + possible_error_;
+    std::string message = error_.empty() ? possible : error_;
     if (message.empty())
         message = text;
-    else if (!error_.empty() && !possible_error_.empty())
-        message += " (" + possible_error_ + ")";
+    else if (!error_.empty() && !possible.empty())
+        message += " (" + possible + ")";
     std::replace(message.begin(), message.end(), '\n', ' ');
     wire_->send_failure(message, error_file_, error_line_);
 }

@@ -87,7 +87,8 @@ class Oracle {
     std::set<std::string> files_;
 
     std::mutex error_mutex_;
-    std::string error_, error_file_, possible_error_;
+    std::string error_, error_file_;
+    std::string earlier_possible_error_, possible_error_;  ///< the last two
     unsigned error_line_ = 0;
 
     std::atomic<Stage> stage_{Stage::parsing};
