@@ -7,6 +7,8 @@
 #include <glm/glm.hpp>
 #include <limits>
 
+#include "core/detail/bernstein_roots.h"
+
 namespace povpreview {
 
 namespace {
@@ -98,49 +100,6 @@ void find_quadric(const Coefficients& __restrict c, const RowRays& __restrict r,
 
 // ---- the torus
 
-/// A polynomial of degree at most four, the constant first.
-using Polynomial = std::array<double, 5>;
-
-double value(const Polynomial& p, double t) {
-    return p[0] + t * (p[1] + t * (p[2] + t * (p[3] + t * p[4])));
-}
-Polynomial derivative(const Polynomial& p) { return {p[1], 2 * p[2], 3 * p[3], 4 * p[4], 0}; }
-
-/// Between two ends of different sign.
-double root_between(const Polynomial& p, double low, double high) {
-    const bool rises = value(p, low) < 0;
-    const Polynomial slope = derivative(p);
-    double t = (low + high) / 2;
-    for (int step = 0; step < 60 && high - low > 1e-14 * (std::abs(low) + std::abs(high)); ++step) {
-        const double f = value(p, t);
-        ((f < 0) == rises ? low : high) = t;
-        // Newton's step if it stays between the ends, else half way.
-        const double next = t - f / value(slope, t);
-        if (next == t) break;
-        t = next > low && next < high ? next : (low + high) / 2;
-    }
-    return t;
-}
-
-/// Roots within [low, high], from the extrema between them; so the derivatives are solved first.
-int roots_within(const Polynomial& p, int degree, double low, double high, double* roots) {
-    if (degree == 1) {
-        const double t = -p[0] / p[1];
-        if (!(t >= low && t <= high)) return 0;
-        roots[0] = t;
-        return 1;
-    }
-    double bounds[6] = {low};
-    const int extrema = roots_within(derivative(p), degree - 1, low, high, bounds + 1);
-    bounds[extrema + 1] = high;
-    int found = 0;
-    for (int i = 0; i <= extrema; ++i) {
-        const double a = value(p, bounds[i]), b = value(p, bounds[i + 1]);
-        if ((a < 0) != (b < 0)) roots[found++] = root_between(p, bounds[i], bounds[i + 1]);
-    }
-    return found;
-}
-
 /// Around the y axis, major radius 1. With s the length along the ray from the point nearest to the
 /// centre, |p|^2 = m + s^2, and the surface is (m + s^2 + 1 - r^2)^2 = 4 (x^2 + z^2).
 int torus_roots(double r, const glm::dvec3& from, const glm::dvec3& along, double* roots) {
@@ -150,12 +109,18 @@ int torus_roots(double r, const glm::dvec3& from, const glm::dvec3& along, doubl
     const glm::dvec3 p = from + nearest * d;
     const double m = glm::dot(p, p), reach = (1 + r) * (1 + r) - m;
     if (!(reach > 0)) return 0;
-    const double k = m + 1 - r * r;
-    const Polynomial f{k * k - 4 * (p.x * p.x + p.z * p.z), -8 * (p.x * d.x + p.z * d.z),
-                       2 * k - 4 * (d.x * d.x + d.z * d.z), 0, 1};
-    const double half = std::sqrt(reach) * (1 + 1e-9);
-    const int found = roots_within(f, 4, -half, half, roots);
-    for (int i = 0; i < found; ++i) roots[i] = (nearest + roots[i]) / length;
+    const double k = m + 1 - r * r, half = std::sqrt(reach) * (1 + 1e-9);
+    // By powers of s / half, which lies between -1 and 1.
+    const double constant = k * k - 4 * (p.x * p.x + p.z * p.z),
+                 first = -8 * (p.x * d.x + p.z * d.z) * half,
+                 second = (2 * k - 4 * (d.x * d.x + d.z * d.z)) * half * half,
+                 fourth = half * half * half * half;
+    const Bernstein<4> f{constant - first + second + fourth, constant - first / 2 - fourth,
+                         constant - second / 3 + fourth, constant + first / 2 - fourth,
+                         constant + first + second + fourth};
+    int found = 0;
+    for (const double u : BernsteinRoots<4>(f))
+        roots[found++] = (nearest + half * (2 * u - 1)) / length;
     return found;
 }
 
