@@ -18,8 +18,9 @@ constexpr double edges_ns = 1.5e9;
 constexpr double vertex_ns = 5e3;
 
 /// Samples cheaper than this go into a lattice, which takes several times as many to the same error
-/// as a triangulation, and no time of our own.
-constexpr double lattice_ns = 12e3;
+/// as a triangulation, and no time of our own. The first samples, which tell, cost up to twice what
+/// later ones do.
+constexpr double lattice_ns = 20e3;
 
 /// Past a vertex to every sixth pixel, it costs more time than it saves over tracing the pixels
 /// around it, whatever they cost; less than one to every 24 leaves too coarse a mesh.
