@@ -48,6 +48,10 @@ void MeshPreviewer::accept_items(const ItemBuffer& items) {
     detail_to_change().accept(items, items_);
     const auto varies = [](Look::Kind kind) { return kind != Look::Kind::plain; };
     textured_ = textured_ || std::any_of(items.kinds.begin(), items.kinds.end(), varies);
+    const auto drawn = [](Look::Kind kind) {
+        return kind == Look::Kind::image || kind == Look::Kind::pattern;
+    };
+    textures_drawn_ = std::any_of(items.kinds.begin(), items.kinds.end(), drawn);
     // The largest items first, as far as they are worth it.
     const std::vector<DetailMap::Extent> extents = detail_->extents(items_);
     std::vector<std::uint32_t> order;
@@ -100,10 +104,11 @@ bool MeshPreviewer::shaded(const Sample& sample) const {
     return contains(parts(), Parts::shading) && has_sound_shading(sample);
 }
 
-/// Between the pixels of a lattice, items and albedos are of use as soon as they are known.
+/// Between the pixels of a lattice, items and albedos are of use as soon as they are known; no
+/// albedo is traced for it.
 Parts MeshPreviewer::lattice_parts() const {
     if (!detail_ || detail_->known() == 0) return Parts::colour;
-    return textured_ ? Parts::surface | Parts::shading : Parts::surface;
+    return textures_drawn_ ? Parts::surface | Parts::shading : Parts::surface;
 }
 
 /// Among the first samples every some albedo rays, so that their cost is known as well.

@@ -234,7 +234,8 @@ class MeshPreviewer : public Previewer {
     std::shared_ptr<DetailMap> detail_;  // null as long as nothing is known; shared with pictures
     std::vector<Pixel> seeds_;           // one for each item without a sample, the largest last
     ItemNumbers items_;
-    bool textured_ = false;  // some surface was seen to vary, or is known to
+    bool textured_ = false;        // some surface was seen to vary, or is known to
+    bool textures_drawn_ = false;  // some albedo that varies was known without tracing it
     AlbedoFetch albedo_fetch_;
     std::size_t trials_ = 0;                  // albedo rays asked for to learn what they cost
     std::vector<std::uint32_t> trial_costs_;  // of those, nanoseconds

@@ -114,6 +114,24 @@ TEST(AdaptiveLattice, KeepsToItemsAndTheirAlbedoWheneverTheyCome) {
     }
 }
 
+/// Shading costs the tracer a look at the texture, as dear as the sample where that is all there
+/// is.
+TEST(AdaptiveLattice, AsksForShadingOnlyWhereAlbedosWereDrawn) {
+    const FunctionImage image = still_life(320, 240);
+    for (const auto& [kind, wanted] : {std::pair{Look::Kind::image, true},
+                                       {Look::Kind::pattern, true},
+                                       {Look::Kind::plain, false},
+                                       {Look::Kind::traced, false},
+                                       {Look::Kind::mixed, false}}) {
+        MeshRun run(image, 320, 240);
+        run.to(500);
+        ItemBuffer items = items_of(image, 320, 240);
+        std::fill(items.kinds.begin(), items.kinds.end(), kind);
+        run.previewer.accept_items(items);
+        EXPECT_EQ(contains(run.previewer.parts(), Parts::shading), wanted) << int(kind);
+    }
+}
+
 TEST(AdaptiveLattice, ForgetsItemsThatSamplesContradict) {
     const FunctionImage image = still_life(320, 240);
     ItemBuffer items = items_of(image, 320, 240);
