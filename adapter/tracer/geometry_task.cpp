@@ -22,6 +22,7 @@ GeometryTask::GeometryTask(pov::ViewData* view, std::shared_ptr<const SharedScen
     : RenderTask(view), shared_(std::move(shared)) {}
 
 void GeometryTask::Run() {
+    wait_for_first_answers();
     const pov::Camera& camera = GetViewData()->GetCamera();
     const auto inside = [this](const Point& p, const pov::ObjectBase& object) {
         const pov::VECTOR point = {p.x, p.y, p.z};
@@ -34,7 +35,7 @@ void GeometryTask::Run() {
                              inside,
                              [this] { Cooperate(); },
                              [this](const GeometryChunk& chunk) {
-                                 wait_for_idle_wire();
+                                 wait_for_wire();
                                  Oracle::instance().wire().send_geometry(chunk);
                              }});
     if (!send_geometry(geometry)) return;
@@ -53,7 +54,7 @@ bool GeometryTask::send_geometry(GeometryExport& geometry) {
         end.left_out[{"the rest", "out of memory or broken", false}] = 1;
         end.unknown.push_back(everything);
         end.last = true;
-        wait_for_idle_wire();
+        wait_for_wire();
         Oracle::instance().wire().send_geometry(end);
         return false;
     }
@@ -65,14 +66,27 @@ void GeometryTask::send_texels(const pov::ImageData& image, std::uint32_t number
     for (std::uint32_t first = 0; first < count; first += chunk_size) {
         TexelChunk chunk = texels_of(image, first, std::min(chunk_size, count - first));
         chunk.image = number;
-        wait_for_idle_wire();
+        wait_for_wire();
         Oracle::instance().wire().send_texels(chunk);
     }
 }
 
-/// So that no answer waits for more than one chunk.
-void GeometryTask::wait_for_idle_wire() {
-    while (Oracle::instance().wire().is_busy()) {
+/// What comes first is a picture: a few samples, as long as they do not take long.
+void GeometryTask::wait_for_first_answers() {
+    constexpr std::size_t first_answers = 100;
+    wait_while([] { return Oracle::instance().queue().traced() < first_answers; },
+               std::chrono::milliseconds(10));
+}
+
+/// So that few answers wait for more than one chunk. Where samples are cheap the wire is never idle.
+void GeometryTask::wait_for_wire() {
+    wait_while([] { return Oracle::instance().wire().is_busy(); }, std::chrono::milliseconds(2));
+}
+
+template <class Condition>
+void GeometryTask::wait_while(const Condition& condition, std::chrono::milliseconds patience) {
+    const auto end = std::chrono::steady_clock::now() + patience;
+    while (condition() && std::chrono::steady_clock::now() < end) {
         Cooperate();
         std::this_thread::sleep_for(std::chrono::microseconds(200));
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <chrono>
 #include <memory>
 
 #include "backend/oracle/geometry_export.h"
@@ -21,7 +22,10 @@ class GeometryTask : public pov::RenderTask, public BesideTask {
     /// Returns false after it has failed, and said so.
     bool send_geometry(GeometryExport& geometry);
     void send_texels(const pov::ImageData& image, std::uint32_t number);
-    void wait_for_idle_wire();
+    void wait_for_first_answers();
+    void wait_for_wire();
+    template <class Condition>
+    void wait_while(const Condition& condition, std::chrono::milliseconds patience);
 
     std::shared_ptr<const SharedScene> shared_;
 };

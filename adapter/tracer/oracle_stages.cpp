@@ -99,13 +99,20 @@ void OracleStages::append_early(POVMS_Object& options) {
         Oracle::instance().begin_first_look(std::int64_t{facts->width} * facts->height / 128);
         Oracle::instance().wire().send_scene(*facts);
     });
-    if (Oracle::instance().geometry_wanted()) append(new GeometryTask(&view_, shared_));
     if (!prepares) return;
     for (int i = 0; i < threads_; ++i)
         append(new OracleTask(&view_, shared_, OracleTask::Stage::early));
     append(new FirstLookTask(
         &view_, scene.photonSettings.photonsEnabled ? Stage::photons : Stage::radiosity));
+    append_geometry();
     tasks_.AppendSync();
+}
+
+/// After the threads that trace: those shall not wait for it to be made.
+void OracleStages::append_geometry() {
+    if (geometry_appended_ || !Oracle::instance().geometry_wanted()) return;
+    geometry_appended_ = true;
+    append(new GeometryTask(&view_, shared_));
 }
 
 void OracleStages::append_final() {
@@ -119,6 +126,7 @@ void OracleStages::append_final() {
     });
     for (int i = 0; i < threads_; ++i)
         append(new OracleTask(&view_, shared_, OracleTask::Stage::final));
+    append_geometry();
 }
 
 }  // namespace povpreview::tracer

@@ -30,12 +30,14 @@ class OracleStages {
 
    private:
     void append(pov::RenderTask* task);
+    void append_geometry();
 
     pov::TaskQueue& tasks_;
     pov::ViewData& view_;
     std::vector<pov::ViewThreadData*>& data_;
     int threads_;
     std::shared_ptr<const SharedScene> shared_;
+    bool geometry_appended_ = false;
 };
 
 }  // namespace povpreview::tracer

@@ -106,11 +106,17 @@ std::size_t WorkQueue::cost_class(const Batch& batch) {
 void WorkQueue::learn(const Batch& batch, std::size_t count, std::chrono::nanoseconds cost) {
     if (count == 0) return;
     const std::lock_guard lock(mutex_);
+    traced_ += count;
     double& mean = cost_[cost_class(batch)];
     const double seen = static_cast<double>(cost.count()) / static_cast<double>(count);
     // A dearer sample is believed at once, a cheaper one by halves: costs vary over the image, and
     // a slice that is too long delays an answer, while one that is too short costs little.
     mean = std::max(50.0, seen > mean ? seen : (mean + seen) / 2);
+}
+
+std::size_t WorkQueue::traced() {
+    const std::lock_guard lock(mutex_);
+    return traced_;
 }
 
 }  // namespace povpreview::tracer

@@ -56,6 +56,8 @@ class WorkQueue {
 
     /// Tells what tracing `count` samples of a batch cost altogether.
     void learn(const Batch& batch, std::size_t count, std::chrono::nanoseconds cost);
+    /// How many samples were traced so far.
+    std::size_t traced();
 
    private:
     std::size_t slice_size(const Batch& batch) const;
@@ -71,6 +73,7 @@ class WorkQueue {
     bool target_released_ = false;
     std::size_t taken_ = 0;    ///< positions of the oldest batch already handed out
     std::size_t waiting_ = 0;  ///< positions in the queue not yet handed out
+    std::size_t traced_ = 0;
     std::size_t threads_ = 1;
     bool closed_ = false;
     /// Mean cost of a sample, ns; starts at a guess that makes the first slices short.
