@@ -56,7 +56,7 @@ class Previewer {
     virtual void accept_edges(std::vector<EdgeChain>&&) {}
     /// Whether it has a use for what is seen in each pixel, known without tracing, or still has.
     virtual bool wants_items() const { return false; }
-    /// That. May come at any time, once; of the size of the picture.
+    /// That, of the size of the picture. May come at any time, and again when more is known of it.
     virtual void accept_items(const ItemBuffer&) {}
     /// A rung of its ladder is ready that was not, or its samples have become better.
     virtual void accept_ready(Rung) {}

@@ -39,6 +39,8 @@ void GeometryTask::Run() {
                                  Oracle::instance().wire().send_geometry(chunk);
                              }});
     if (!send_geometry(geometry)) return;
+    // Reading and drawing them takes as long as a small picture of cheap samples altogether.
+    wait_while([] { return true; }, std::chrono::milliseconds(100));
     std::uint32_t number = 0;
     for (const pov::ImageData* image : geometry.images()) send_texels(*image, number++);
 }
@@ -78,17 +80,18 @@ void GeometryTask::wait_for_first_answers() {
                std::chrono::milliseconds(10));
 }
 
-/// So that few answers wait for more than one chunk. Where samples are cheap the wire is never idle.
+/// So that few answers wait for more than one chunk. Where samples are cheap the wire is never
+/// idle.
 void GeometryTask::wait_for_wire() {
-    wait_while([] { return Oracle::instance().wire().is_busy(); }, std::chrono::milliseconds(2));
+    wait_while([] { return Oracle::instance().wire().is_busy(); }, std::chrono::microseconds(400));
 }
 
 template <class Condition>
-void GeometryTask::wait_while(const Condition& condition, std::chrono::milliseconds patience) {
+void GeometryTask::wait_while(const Condition& condition, std::chrono::microseconds patience) {
     const auto end = std::chrono::steady_clock::now() + patience;
     while (condition() && std::chrono::steady_clock::now() < end) {
         Cooperate();
-        std::this_thread::sleep_for(std::chrono::microseconds(200));
+        std::this_thread::sleep_for(std::chrono::microseconds(100));
     }
 }
 

@@ -25,7 +25,7 @@ class GeometryTask : public pov::RenderTask, public BesideTask {
     void wait_for_first_answers();
     void wait_for_wire();
     template <class Condition>
-    void wait_while(const Condition& condition, std::chrono::milliseconds patience);
+    void wait_while(const Condition& condition, std::chrono::microseconds patience);
 
     std::shared_ptr<const SharedScene> shared_;
 };

@@ -37,7 +37,7 @@ class StrategyRun {
     bool advance(std::chrono::nanoseconds patience) {
         if (wants_rungs_) take_rungs();
         if (wants_items_ && looked_at()) take_items();
-        if (wants_edges_ && !wants_items_) take_edges();
+        if (wants_edges_ && (!wants_items_ || items_taken_)) take_edges();
         if (session_.advance(patience)) return true;
         if (!previewer_->waits()) return false;
         scene_.oracle().listen(patience);
@@ -95,9 +95,11 @@ class StrategyRun {
         return samples() >= first_samples || scene_.time_s() > soon_s;
     }
     void take_items() {
-        if (!scene_.items_finished()) return;
-        if (const ItemBuffer* items = scene_.items()) previewer_->accept_items(*items);
-        wants_items_ = false;
+        const bool all = scene_.items_finished();
+        const ItemBuffer* items = scene_.items();
+        if (items && items != items_taken_) previewer_->accept_items(*items);
+        items_taken_ = items;
+        wants_items_ = !all;
     }
     void take_edges() {
         wants_edges_ = previewer_->wants_edges();
@@ -113,6 +115,7 @@ class StrategyRun {
     std::unique_ptr<Previewer> previewer_;
     Session session_;
     bool wants_edges_ = false, wants_items_ = false, wants_rungs_ = false;
+    const ItemBuffer* items_taken_ = nullptr;
     std::vector<unsigned> rungs_taken_;  // of those that became ready, told to the previewer
     std::size_t edges_taken_ = 0;        // of the scene's
 };

@@ -136,21 +136,23 @@ void TracedScene::take_geometry() {
     drawable_ = std::async(std::launch::async, make).share();
 }
 
-/// The item buffer waits for the images on its surfaces, which come after all else.
+/// The images on its surfaces come after all else; until then items are painted without.
 void TracedScene::paint_items() {
     if (item_search_ || !drawable_.valid()) return;
     if (!has_images_) {
         item_search_.emplace([scene = drawable_] { return scene.get(); });
-        return;
+    } else if (auto images = oracle_.take_images()) {
+        if (bare_search_ && !bare_search_->finished()) bare_search_.reset();
+        item_search_.emplace(
+            [scene = drawable_, images = std::move(*images)]() -> ItemSearch::Scene {
+                if (!scene.get()) return nullptr;
+                auto with_images = std::make_shared<DrawableScene>(*scene.get());
+                with_images->images = images;
+                return with_images;
+            });
+    } else if (!bare_search_) {
+        bare_search_.emplace([scene = drawable_] { return scene.get(); });
     }
-    std::optional<std::vector<ImageTexels>> images = oracle_.take_images();
-    if (!images) return;
-    item_search_.emplace([scene = drawable_, images = std::move(*images)]() -> ItemSearch::Scene {
-        if (!scene.get()) return nullptr;
-        auto with_images = std::make_shared<DrawableScene>(*scene.get());
-        with_images->images = images;
-        return with_images;
-    });
 }
 
 const std::vector<EdgeChain>& TracedScene::edges() {
@@ -177,7 +179,9 @@ bool TracedScene::items_finished() {
 }
 
 const ItemBuffer* TracedScene::items() {
-    return items_finished() && item_search_ ? item_search_->items() : nullptr;
+    if (!wants_items_) return nullptr;
+    if (items_finished()) return item_search_->items();
+    return bare_search_ && bare_search_->finished() ? bare_search_->items() : nullptr;
 }
 
 void TracedScene::release_edges() {

@@ -114,6 +114,25 @@ TEST(AdaptiveLattice, KeepsToItemsAndTheirAlbedoWheneverTheyCome) {
     }
 }
 
+/// Images come last: until then their surfaces count as textures that only tracing tells.
+TEST(AdaptiveLattice, AlbedosMayComeAfterTheirItems) {
+    const FunctionImage image = still_life(320, 240);
+    const ItemBuffer all = items_of(image, 320, 240);
+    ItemBuffer bare = all;
+    bare.albedos.clear();
+    for (Look::Kind& kind : bare.kinds)
+        if (kind == Look::Kind::image || kind == Look::Kind::pattern) kind = Look::Kind::traced;
+    MeshRun without(image, 320, 240), later(image, 320, 240);
+    for (MeshRun* run : {&without, &later}) {
+        run->to(200);
+        run->previewer.accept_items(bare);
+        run->to(500);
+    }
+    later.previewer.accept_items(all);
+    for (MeshRun* run : {&without, &later}) run->to(3000);
+    EXPECT_LT(later.error(), .7 * without.error());
+}
+
 /// Shading costs the tracer a look at the texture, as dear as the sample where that is all there
 /// is.
 TEST(AdaptiveLattice, AsksForShadingOnlyWhereAlbedosWereDrawn) {
