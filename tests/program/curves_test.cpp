@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "display/program/summary.h"
+#include "tests/display/temporary_folder.h"
 
 namespace povpreview {
 namespace {
@@ -131,7 +132,8 @@ TEST(Summary, MeansAreGeometricAndOnlyOneArrivingIsAWinOrALoss) {
 }
 
 TEST(Curves, HaveTheColumnsPromised) {
-    const std::string file = testing::TempDir() + "curves_test.csv";
+    const test::TemporaryFolder folder;
+    const std::string file = folder / "curves_test.csv";
     CurvePoint p = point("mesh", 1, .25, 2, "a, \"b\"");
     p.moment = 7;
     write_curves({p}, file);

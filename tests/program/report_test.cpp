@@ -9,6 +9,7 @@
 #include "display/program/plot.h"
 #include "display/program/report_pictures.h"
 #include "display/program/scene_list.h"
+#include "tests/display/temporary_folder.h"
 
 namespace povpreview {
 namespace {
@@ -70,7 +71,8 @@ TEST(ErrorColour, GetsLighterWithTheError) {
 }
 
 TEST(Plot, DrawsWhateverItsNames) {
-    const std::string file = testing::TempDir() + "plot 'test'.svg";
+    const test::TemporaryFolder folder;
+    const std::string file = folder / "plot 'test'.svg";
     draw_plot({.title = "it's \"quoted\" $x_1 `true`",
                .x_title = "x",
                .y_title = "y",
@@ -86,7 +88,8 @@ TEST(Plot, DrawsWhateverItsNames) {
 }
 
 TEST(Plot, NeedsNoMoreThanAPoint) {
-    const std::string file = testing::TempDir() + "plot_test.svg";
+    const test::TemporaryFolder folder;
+    const std::string file = folder / "plot_test.svg";
     for (const auto& points :
          {std::vector<std::pair<double, double>>{}, {{.5, 0}}, {{3, .1}}, {{3, .1}, {3, .1}}}) {
         std::filesystem::remove(file);
@@ -105,8 +108,8 @@ class SceneList : public ::testing::Test {
         for (const char* name : {"a/one.pov", "b/one.pov", "b/two.pov"})
             std::ofstream(folder / name) << "\n";
     }
-    ~SceneList() override { std::filesystem::remove_all(folder); }
-    std::filesystem::path folder = testing::TempDir() + "scene_list_test";
+    const test::TemporaryFolder folder_;  // tests run side by side
+    const std::filesystem::path folder = folder_.path();
 };
 
 TEST_F(SceneList, EachSceneGetsTheSharedWordsAndItsFolder) {
