@@ -8,6 +8,7 @@
 #include <cassert>
 #include <cmath>
 #include <cstring>
+#include <glm/common.hpp>
 #include <limits>
 #include <utility>
 
@@ -227,6 +228,9 @@ void report::Answer::check_asked(std::uint32_t batch_count, const BatchKind& ask
     require(true, table_->cost_ns(), "costs");
 }
 
+/// Sums of light up to this over many samples, and its product with albedos, stay finite.
+constexpr float brightest = 1e30f;
+
 void report::Answer::read(std::uint32_t i, Sample& sample) const {
     assert(i < count_);
     const Sample blank{.position = sample.position,
@@ -264,6 +268,8 @@ void report::Answer::read(std::uint32_t i, Sample& sample) const {
         sample = blank;
         sample.failed = true;
     }
+    for (glm::vec3* light : {&sample.colour, &sample.illumination, &sample.remainder})
+        *light = glm::clamp(*light, -brightest, brightest);
     if (table_->cost_ns()) sample.cost_ns = table_->cost_ns()->Get(i);
 }
 

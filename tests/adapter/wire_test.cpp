@@ -209,6 +209,24 @@ TEST(Wire, AnAnswerCarriesWhatItsKindBrings) {
         }
 }
 
+/// Four such in one pixel would be infinite.
+TEST(Wire, LightBeyondAllBoundsIsCutDown) {
+    fake::Slice slice = slice_of(3, RayKind::full, Parts::shading);
+    for (Sample& sample : slice.samples) {
+        sample.colour = {3e38f, -3e38f, .5f};
+        sample.illumination = glm::vec3(2e38f);
+    }
+    slice.samples[2].colour.x = std::numeric_limits<float>::infinity();
+    const Bytes bytes = content(fake::answer_frame(slice));
+    const auto answer = std::get<report::Answer>(decode_report(bytes));
+    Sample sample{.position = {1, 2}};
+    answer.read(0, sample);
+    EXPECT_EQ(sample.colour, glm::vec3(1e30f, -1e30f, .5f));
+    EXPECT_EQ(sample.illumination, glm::vec3(1e30f));
+    answer.read(2, sample);
+    EXPECT_TRUE(sample.failed);
+}
+
 TEST(Wire, AnAnswerOfALowerRungThanAskedIsRefused) {
     fake::Slice slice = slice_of(5, RayKind::full, Parts::colour);
     slice.rung = 1;
