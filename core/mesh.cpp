@@ -136,10 +136,20 @@ Wedge Mesh::wedge(VertexId vertex, const std::vector<Spoke>& fan, const Sector& 
             sector.whole};
 }
 
+/// Constraints bend when they are split, so that the sample of a thin sector may come to lie in the
+/// sector beside it, close to its border: the clearest one counts, of equal ones the latest.
 SampleId Mesh::in_wedge(VertexId vertex, const Wedge& wedge) const {
-    for (SampleId id = first_[vertex.value]; id.valid(); id = samples_[id.value].next)
-        if (wedge.contains(samples_[id.value].position)) return id;
-    return {};
+    SampleId best;
+    double clearance = -1;
+    for (SampleId id = first_[vertex.value]; id.valid(); id = samples_[id.value].next) {
+        const glm::dvec2 p = samples_[id.value].position;
+        if (!wedge.contains(p)) continue;
+        if (const double c = wedge.clearance(p); c > clearance) {
+            best = id;
+            clearance = c;
+        }
+    }
+    return best;
 }
 
 std::size_t Mesh::sides(VertexId vertex) const {

@@ -98,10 +98,15 @@ std::string Mesh::validate() const {
         std::size_t faces = 0;
         for (const Sector& sector : sectors) {
             const Wedge w = wedge(v, fan, sector);
-            std::size_t inside = 0;
-            for (SampleId id = first_[i]; id.valid(); id = samples_[id.value].next)
-                if (w.contains(samples_[id.value].position)) ++inside;
-            if (inside > 1) return named("one hides another sample of a sector at vertex ", v);
+            const SampleId shown = corner(v, fan[sector.first].to, true);
+            for (SampleId id = first_[i]; id.valid(); id = samples_[id.value].next) {
+                const glm::dvec2 p = samples_[id.value].position;
+                if (!w.contains(p)) continue;
+                if (!shown.valid()) return named("a sector misses its sample at vertex ", v);
+                if (w.clearance(p) > w.clearance(samples_[shown.value].position))
+                    return named("a sector shows the less clear of two samples at vertex ", v);
+                used.insert(id);
+            }
             for (std::size_t f = 0; f < sector.faces; ++f, ++faces) {
                 const VertexId to = fan[(sector.first + f) % fan.size()].to;
                 const VertexId after = fan[(sector.first + f + 1) % fan.size()].to;

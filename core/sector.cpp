@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "core/sector.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
@@ -57,6 +58,17 @@ bool Wedge::contains(glm::dvec2 p) const {
 
 bool Wedge::along(glm::dvec2 ray, glm::dvec2 p) const {
     return orientation(centre, ray, p) == 0 && glm::dot(ray - centre, p - centre) > 0;
+}
+
+double Wedge::clearance(glm::dvec2 p) const {
+    if (whole) return 0;
+    const glm::dvec2 way = p - centre;
+    const auto distance = [&](glm::dvec2 ray) {
+        const glm::dvec2 u = glm::normalize(ray - centre);
+        const double ahead = glm::dot(u, way);
+        return glm::length(ahead > 0 ? way - ahead * u : way);
+    };
+    return std::min(distance(start), distance(end));
 }
 
 double Wedge::angle() const {

@@ -39,6 +39,9 @@ struct Wedge {
     bool contains(glm::dvec2 p) const;
     /// Whether p lies exactly on the ray from the centre through `ray`.
     bool along(glm::dvec2 ray, glm::dvec2 p) const;
+    /// How far a point inside is from the nearer of the two rays, in pixels; 0 where the wedge is
+    /// whole and has none to keep clear of.
+    double clearance(glm::dvec2 p) const;
     /// Unit vector from the centre through the middle of the wedge.
     glm::dvec2 bisector() const;
     /// The angle of the wedge in radians, 0 to 2 pi.

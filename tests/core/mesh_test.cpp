@@ -94,6 +94,33 @@ TEST(Mesh, ValuesJumpAcrossAConstraintAndNowhereElse) {
     EXPECT_FLOAT_EQ(mesh.contrast(a, b).value(), 0) << "each side is of one colour";
 }
 
+TEST(Wedge, ClearanceIsTheDistanceFromTheNearerRay) {
+    const Wedge right{{0, 0}, {3, 0}, {0, 2}, false};
+    EXPECT_NEAR(right.clearance({1, .5}), .5, 1e-12);
+    EXPECT_NEAR(right.clearance({.25, 7}), .25, 1e-12);
+    const Wedge reflex{{0, 0}, {0, 2}, {3, 0}, false};
+    EXPECT_NEAR(reflex.clearance({-3, -4}), 5, 1e-12) << "beyond the ends of both rays";
+    EXPECT_EQ((Wedge{{0, 0}, {3, 0}, {3, 0}, true}.clearance({1, 1})), 0);
+}
+
+TEST(Mesh, OfSeveralSamplesOnOneSideTheClearestIsShown) {
+    Mesh mesh(40, 40);
+    for (dvec2 p : {dvec2(0, 0), {0, 40}, {40, 0}, {40, 40}}) add(mesh, p, vec3(0, 0, 0));
+    const VertexId top = mesh.insert({20, 5}, VertexId{0}).vertex;
+    const VertexId v = mesh.insert({20, 20}, VertexId{0}).vertex;
+    const VertexId bottom = mesh.insert({20, 35}, VertexId{0}).vertex;
+    mesh.constrain(top, v);
+    mesh.constrain(v, bottom);
+    const SampleId clear = mesh.promise(v, {20.4, 20});
+    const SampleId close = mesh.promise(v, {20.01, 18.5});  // of a thin sector that is no more
+    mesh.answer(clear, shown({1, 0, 0}));
+    mesh.answer(close, shown({0, 1, 0}));
+    answer_sides(mesh, [](dvec2) { return vec3(0, 0, 1); });
+    EXPECT_EQ(mesh.validate(), "");
+    for (const VertexId to : {top, bottom})
+        EXPECT_EQ(mesh.corner(v, to, to == top), clear) << "towards x = 40";
+}
+
 TEST(Mesh, UnknownCornersNeverTakeColourFromAcross) {
     Mesh mesh(40, 40);
     for (dvec2 p : {dvec2(0, 0), {0, 40}, {5, 20}}) add(mesh, p, vec3(1, 0, 0));
