@@ -63,7 +63,7 @@ std::vector<glm::vec3> interpolate(const Lattice& lattice, std::span<const int> 
     const std::vector<CubicWeights> along_y = cubic_weights(lattice.rows, rows);
     for (std::size_t j = 0; j < rows.size(); ++j) {
         const auto& [k, w] = along_y[j];
-        const auto row = [&](std::size_t r) { return &stretched[k[r] * wide].x; };
+        const auto row = [&, &k = k](std::size_t r) { return &stretched[k[r] * wide].x; };
         float* to = &result[j * wide].x;
         if (k[0] == k[3]) {
             std::copy_n(row(1), 3 * wide, to);

@@ -152,7 +152,7 @@ MethodRun run_stock(const ComparedScene& scene, const CompareOptions& options, P
     MethodRun result;
     RenderState shown(size.x, size.y);
     std::size_t bytes = 0;
-    const auto take = [&](int number, const std::string& name, double time_s) {
+    const auto take = [&, &size = size](int number, const std::string& name, double time_s) {
         const std::size_t end = stock.bytes_at(time_s);
         shown.append(std::span(stock.state).subspan(bytes, end - bytes));
         bytes = end;

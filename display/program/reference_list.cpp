@@ -69,7 +69,7 @@ std::map<fs::path, std::string> short_names(const std::set<fs::path>& scenes) {
         std::size_t folders = 0, most = 0;
         for (const fs::path& scene : group)
             most = std::max(most, static_cast<std::size_t>(depth(scene)));
-        const auto all_differ = [&] {
+        const auto all_differ = [&, &group = group] {
             std::set<fs::path> tails;
             for (const fs::path& scene : group) tails.insert(tail(scene, folders));
             return tails.size() == group.size();
