@@ -127,12 +127,12 @@ PixelBox pixel_box(const PixelRays& rays, const Bounds& bounds, int width, int h
     std::vector<Projected> polygon;
     const auto include = [&](const Projected& p) {
         const glm::dvec2 pixel = p.pixel();
-        box.left = std::min(box.left, static_cast<int>(std::floor(std::max(pixel.x, 0.))));
-        box.top = std::min(box.top, static_cast<int>(std::floor(std::max(pixel.y, 0.))));
-        box.right =
-            std::max(box.right, static_cast<int>(std::ceil(std::min(pixel.x, double(width)))));
-        box.bottom =
-            std::max(box.bottom, static_cast<int>(std::ceil(std::min(pixel.y, double(height)))));
+        if (std::isnan(pixel.x) || std::isnan(pixel.y)) return void(box = whole);  // 0 / 0
+        const glm::dvec2 within = glm::clamp(pixel, glm::dvec2(0), glm::dvec2(width, height));
+        box.left = std::min(box.left, static_cast<int>(std::floor(within.x)));
+        box.top = std::min(box.top, static_cast<int>(std::floor(within.y)));
+        box.right = std::max(box.right, static_cast<int>(std::ceil(within.x)));
+        box.bottom = std::max(box.bottom, static_cast<int>(std::ceil(within.y)));
     };
     // What is seen of a box lies within the hull of its sides in front of the eye; all around the
     // eye it is everywhere.
