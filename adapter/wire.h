@@ -120,8 +120,8 @@ class Answer {
     /// asked of rays of this kind.
     void check_asked(std::uint32_t batch_count, const BatchKind& asked) const;
     /// Writes the i-th sample over `sample`, except for its position and kind. A sample with a
-    /// value that is not finite comes out as failed, light beyond 1e30 as that. REQUIRES: i <
-    /// count().
+    /// value that is not finite comes out as failed, and light beyond 1e30 is cut down to it.
+    /// REQUIRES: i < count().
     void read(std::uint32_t i, Sample& sample) const;
 
    private:
