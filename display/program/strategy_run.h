@@ -36,7 +36,7 @@ class StrategyRun {
     /// Session::advance, with what has become known without tracing since.
     bool advance(std::chrono::nanoseconds patience) {
         if (wants_rungs_) take_rungs();
-        if (wants_items_ && looked_at()) take_items();
+        if (wants_items_) take_items();
         if (wants_edges_ && (!wants_items_ || items_taken_)) take_edges();
         if (session_.advance(patience)) return true;
         if (!previewer_->waits()) return false;
@@ -86,13 +86,6 @@ class StrategyRun {
                 previewer_->accept_ready(i == target ? target_rung : static_cast<Rung>(i));
         rungs_taken_ = ready;
         wants_rungs_ = ready[target] == 0;
-    }
-    /// A first picture comes before what is known without tracing, if it comes soon: drawing that
-    /// takes the tracer's processors.
-    bool looked_at() const {
-        constexpr std::size_t first_samples = 100;
-        constexpr double soon_s = .01;
-        return samples() >= first_samples || scene_.time_s() > soon_s;
     }
     void take_items() {
         const bool all = scene_.items_finished();
