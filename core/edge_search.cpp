@@ -9,8 +9,8 @@ namespace povpreview {
 
 using Clock = std::chrono::steady_clock;
 
-/// How long it takes at most until the first edges are handed over.
-constexpr std::chrono::milliseconds first_part(250);
+/// Effort until the first edges are handed over: about a quarter of a second.
+constexpr std::uint64_t first_part = 15'000'000;
 
 /// Whether pieces may belong to one chain.
 static bool alike(const ImageEdge& a, const ImageEdge& b) {
@@ -39,18 +39,18 @@ void EdgeSearch::search(const PolygonScene& scene) {
     const glm::ivec2 size{scene.width, scene.height};
     report_.scene = true;
     report_.faces = scene.faces.size();
-    const Clock::time_point begin = Clock::now();
-    Clock::duration next = first_part;
-    find_edges(scene, options_, [&](std::vector<ImageEdge>&& pieces) {
-        if (!pieces_.empty() && !pieces.empty() && !alike(pieces_.back(), pieces.front()))
-            hand_over(size);
-        pieces_.insert(pieces_.end(), pieces.begin(), pieces.end());
-        if (Clock::now() - begin >= next) {
-            hand_over(size);
-            next = 2 * (Clock::now() - begin);
-        }
-        return !stop_.load();
-    });
+    std::uint64_t next = first_part;
+    report_.all =
+        find_edges(scene, options_, [&](std::vector<ImageEdge>&& pieces, std::uint64_t effort) {
+            if (!pieces_.empty() && !pieces.empty() && !alike(pieces_.back(), pieces.front()))
+                hand_over(size);
+            pieces_.insert(pieces_.end(), pieces.begin(), pieces.end());
+            if (effort >= next) {
+                hand_over(size);
+                next = 2 * effort;
+            }
+            return !stop_.load();
+        });
     hand_over(size);
 }
 

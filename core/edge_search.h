@@ -19,8 +19,8 @@ namespace povpreview {
 ///
 /// They come in parts, the most important ones first: what belongs to surfaces, then the shadows
 /// light by light, then what mirrors show; chains never join pieces of two kinds anyhow. Where one
-/// kind takes more than a moment, it comes in several parts, each taking as long again as all
-/// before it, so that chains that cannot be joined for that stay few.
+/// kind takes more than a moment, it comes in several parts, each taking as much work again as all
+/// before it, so that chains that cannot be joined for that stay few, and the same each time.
 class EdgeSearch {
    public:
     /// `make_scene` is called once in that thread; without a scene there are no edges.
@@ -40,6 +40,7 @@ class EdgeSearch {
     /// What the search took and found.
     struct Report {
         bool scene = false;  ///< there was one
+        bool all = false;    ///< found: there was no more than EdgeFinding::most_effort to do
         std::size_t faces = 0, pieces = 0, chains = 0;
         double seconds = 0;
     };

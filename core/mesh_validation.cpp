@@ -71,7 +71,9 @@ bool between(glm::dvec2 centre, glm::dvec2 start, glm::dvec2 end, glm::dvec2 p) 
         return t < 0 ? t + 2 * std::numbers::pi : t;
     };
     const double rounding = 1e-9;  // radians; samples keep farther from their constraints
-    return turn(angle(start), angle(p)) <= turn(angle(start), angle(end)) + rounding;
+    const double whole = turn(angle(start), angle(end));
+    // Where both rays have one direction, angles do not tell a sliver from all around.
+    return whole < rounding || turn(angle(start), angle(p)) <= whole + rounding;
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "core/polygonal/backdrop.h"
 
+#include <algorithm>
+
 namespace povpreview {
 
 double nearness(const Backdrop& b, double t) {
@@ -35,26 +37,30 @@ void compare(const Backdrop& a, const Backdrop& b, double from, double to, const
 }  // namespace
 
 void put_in_front(Backdrop backdrop, std::vector<Backdrop>& nearest) {
-    std::vector<Backdrop> merged;
-    merged.reserve(nearest.size() + 2);
     double from = backdrop.part.from;  // where the rest of it begins
     const double end = backdrop.part.to;
-    for (const Backdrop& old : nearest) {
-        const double low = std::max(from, old.part.from), high = std::min(end, old.part.to);
-        if (low >= high) {
-            if (old.part.from >= end) push(merged, backdrop, from, end), from = end;
-            merged.push_back(old);
-            continue;
-        }
+    // They are in order, so those that it meets stand side by side.
+    const auto first = std::partition_point(nearest.begin(), nearest.end(),
+                                            [&](const Backdrop& b) { return b.part.to <= from; });
+    const auto last = std::partition_point(first, nearest.end(),
+                                           [&](const Backdrop& b) { return b.part.from < end; });
+    std::vector<Backdrop> merged;
+    for (auto old = first; old != last; ++old) {
+        const double low = std::max(from, old->part.from), high = std::min(end, old->part.to);
         push(merged, backdrop, from, low);
-        push(merged, old, old.part.from, low);
-        compare(backdrop, old, low, high,
+        push(merged, *old, old->part.from, low);
+        compare(backdrop, *old, low, high,
                 [&](const Backdrop& nearer, double a, double b) { push(merged, nearer, a, b); });
-        push(merged, old, high, old.part.to);
+        push(merged, *old, high, old->part.to);
         from = high;
     }
-    if (from < end) push(merged, backdrop, from, end);
-    nearest = std::move(merged);
+    push(merged, backdrop, from, end);
+    const auto kept = std::min(last - first, std::ptrdiff_t(merged.size()));
+    std::copy_n(merged.begin(), kept, first);
+    if (kept < last - first)
+        nearest.erase(first + kept, last);
+    else
+        nearest.insert(last, merged.begin() + kept, merged.end());
 }
 
 bool covered(std::span<const Backdrop> nearest) {

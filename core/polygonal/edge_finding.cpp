@@ -61,8 +61,7 @@ struct Shadows {
 
 class Finder {
    public:
-    Finder(const PolygonScene& scene, const EdgeFinding& options,
-           const std::function<bool(std::vector<ImageEdge>&&)>& found)
+    Finder(const PolygonScene& scene, const EdgeFinding& options, const EdgesFound& found)
         : scene_(scene),
           options_(options),
           found_(found),
@@ -73,20 +72,17 @@ class Finder {
           eye_(scene, faces_, hierarchy_),
           lights_(lights_by_brightness(scene)) {}
 
-    void run() {
-        if (faces_.size() == 0) return;
-        if (!geometry(eye_) || !hand_over()) return;
-        crossings_ = find_crossings(faces_, hierarchy_,
-                                    least_crossings + crossings_per_face * faces_.size());
-        if (!crossings(eye_)) return;
+    bool run() {
+        if (faces_.size() == 0) return true;
+        if (!geometry(eye_) || !hand_over() || !cross() || !crossings(eye_)) return false;
         near_border();
-        if (!hand_over()) return;
+        if (!hand_over()) return false;
         for (const PointLight& light : lights_) {
             shadows_.push_back(std::make_unique<Shadows>(faces_, hierarchy_, light));
             if (!cast(light, *shadows_.back()) || !show(eye_, *shadows_.back()) || !hand_over())
-                return;
+                return false;
         }
-        mirrors(eye_, options_.mirror_depth);
+        return mirrors(eye_, options_.mirror_depth);
     }
 
    private:
@@ -97,11 +93,13 @@ class Finder {
         if (pieces_.size() >= batch) return hand_over();
         if (++since_look_ < edges_between_looks) return true;
         since_look_ = 0;
-        return pieces_.empty() ? found_({}) : true;
+        if (hierarchy_.effort() >= options_.most_effort) return hand_over();
+        return pieces_.empty() ? found_({}, hierarchy_.effort()) : true;
     }
     bool hand_over() {
         since_look_ = 0;
-        return found_(std::exchange(pieces_, {}));
+        return found_(std::exchange(pieces_, {}), hierarchy_.effort()) &&
+               hierarchy_.effort() < options_.most_effort;
     }
 
     /// Adds what the image shows, by a view, of a segment on faces.
@@ -148,6 +146,17 @@ class Finder {
             if (!look()) return false;
         }
         return true;
+    }
+
+    /// Finds where faces pass through each other.
+    bool cross() {
+        const std::size_t most = least_crossings + crossings_per_face * faces_.size();
+        bool go_on = true;
+        crossings_ = find_crossings(faces_, hierarchy_, [&](std::size_t found) {
+            go_on = look();
+            return go_on && found < most;
+        });
+        return go_on;
     }
 
     bool crossings(const View& view) {
@@ -289,7 +298,7 @@ class Finder {
 
     const PolygonScene& scene_;
     const EdgeFinding& options_;
-    const std::function<bool(std::vector<ImageEdge>&&)>& found_;
+    const EdgesFound& found_;
     const FlatFaces faces_;
     const FaceHierarchy hierarchy_;
     const FaceEdges edges_;
@@ -306,9 +315,8 @@ class Finder {
 
 }  // namespace
 
-void find_edges(const PolygonScene& scene, const EdgeFinding& options,
-                const std::function<bool(std::vector<ImageEdge>&& pieces)>& found) {
-    if (usable(scene.camera.eye)) Finder(scene, options, found).run();
+bool find_edges(const PolygonScene& scene, const EdgeFinding& options, const EdgesFound& found) {
+    return !usable(scene.camera.eye) || Finder(scene, options, found).run();
 }
 
 }  // namespace povpreview

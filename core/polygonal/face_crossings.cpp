@@ -52,18 +52,20 @@ bool seen(const Face& face) { return face.visible || face.reflected || face.cast
 }  // namespace
 
 std::vector<Crossing> find_crossings(const FlatFaces& faces, const FaceHierarchy& hierarchy,
-                                     std::size_t most) {
+                                     const std::function<bool(std::size_t found)>& go_on) {
     std::vector<Crossing> crossings;
     const auto over = [&](std::uint32_t face) {
         return [&faces, face](const glm::dvec3& p) { return faces.height(face, p); };
     };
     hierarchy.for_each_pair([&](std::uint32_t f, std::uint32_t g) {
-        if (crossings.size() >= most || !seen(faces.face(f)) || !seen(faces.face(g))) return;
+        if (!go_on(crossings.size())) return false;
+        if (!seen(faces.face(f)) || !seen(faces.face(g))) return true;
         SpaceSegment line{}, other{};
-        if (!cut(faces, f, over(g), other) || !cut(faces, g, over(f), line)) return;
+        if (!cut(faces, f, over(g), other) || !cut(faces, g, over(f), line)) return true;
         Interval part;
-        if (!clip_to_face(faces, f, line, part)) return;
+        if (!clip_to_face(faces, f, line, part)) return true;
         crossings.push_back({{line.at(part.from), line.at(part.to)}, f, g});
+        return true;
     });
     return crossings;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <glm/vec4.hpp>
 #include <vector>
 
@@ -17,9 +18,10 @@ struct Crossing {
 };
 
 /// All crossings of faces that are seen or cast shadows. Faces that merely touch (see `contact`) do
-/// not cross. `most` bounds them: there is no end to those of grass.
+/// not cross. `go_on` is asked before each pair of faces that may: there is no end to those of
+/// grass.
 std::vector<Crossing> find_crossings(const FlatFaces& faces, const FaceHierarchy& hierarchy,
-                                     std::size_t most);
+                                     const std::function<bool(std::size_t found)>& go_on);
 
 /// Where visible faces pass through a plane.
 std::vector<SpaceSegment> find_cuts(const FlatFaces& faces, const NearPlane& plane);

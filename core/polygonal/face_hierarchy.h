@@ -86,9 +86,13 @@ class FaceHierarchy {
     template <class Misses, class Visit>
     void search(const Misses& misses, const glm::vec3& direction, const Visit& visit) const;
 
-    /// Calls visit(f, g) once for every two faces whose boxes touch.
+    /// Calls visit(f, g) once for every two faces whose boxes touch, until it returns false.
     template <class Visit>
     void for_each_pair(const Visit& visit) const;
+
+    /// Boxes looked at in all so far, and faces visited, as what they take in boxes: a measure of
+    /// work that is the same on every machine.
+    std::uint64_t effort() const { return effort_; }
 
    private:
     struct Node {
@@ -101,11 +105,13 @@ class FaceHierarchy {
     void build(std::uint32_t faces);
     std::uint32_t split(std::uint32_t begin, std::uint32_t end);
     template <class Visit>
-    void visit_leaves(const Node& a, const Node& b, const Visit& visit) const;
+    bool visit_leaves(const Node& a, const Node& b, const Visit& visit) const;
 
     std::vector<Node> nodes_;           // the root first; children side by side
     std::vector<std::uint32_t> order_;  // faces, those of a node side by side
     std::vector<FaceBox> boxes_;        // of the faces, in this order
+    static constexpr int visit_effort = 8;
+    mutable std::uint64_t effort_ = 0;
 };
 
 inline bool touch(const FaceBox& a, const FaceBox& b) {
@@ -121,6 +127,7 @@ void FaceHierarchy::search(const Misses& misses, const glm::vec3& direction,
     std::uint32_t stack[64];  // more than the deepest tree has levels, see build()
     std::size_t waiting = 0;
     for (const Node* node = &nodes_[0];;) {
+        effort_ += node->count == 0 ? 2 : node->count;
         if (node->count == 0) {
             const Node *near = &nodes_[node->first], *far = near + 1;
             if (glm::dot(near->box.centre - far->box.centre, direction) > 0) std::swap(near, far);
@@ -135,8 +142,11 @@ void FaceHierarchy::search(const Misses& misses, const glm::vec3& direction,
                 continue;
             }
         } else {
-            for (std::uint32_t i = node->first; i < node->first + node->count; ++i)
-                if (!misses(boxes_[i]) && !visit(order_[i])) return;
+            for (std::uint32_t i = node->first; i < node->first + node->count; ++i) {
+                if (misses(boxes_[i])) continue;
+                effort_ += visit_effort;
+                if (!visit(order_[i])) return;
+            }
         }
         // What waits was not missed when it was met, but may be by now.
         do {
@@ -154,9 +164,10 @@ void FaceHierarchy::for_each_pair(const Visit& visit) const {
         const auto [i, j] = open.back();
         open.pop_back();
         const Node &a = nodes_[i], &b = nodes_[j];
+        ++effort_;
         if (!touch(a.box, b.box)) continue;
         if (a.count > 0 && b.count > 0) {
-            visit_leaves(a, b, visit);
+            if (!visit_leaves(a, b, visit)) return;
         } else if (i == j) {
             open.insert(open.end(), {Pair{a.first, a.first}, Pair{a.first, a.first + 1},
                                      Pair{a.first + 1, a.first + 1}});
@@ -169,10 +180,12 @@ void FaceHierarchy::for_each_pair(const Visit& visit) const {
 }
 
 template <class Visit>
-void FaceHierarchy::visit_leaves(const Node& a, const Node& b, const Visit& visit) const {
+bool FaceHierarchy::visit_leaves(const Node& a, const Node& b, const Visit& visit) const {
+    effort_ += a.count * b.count;
     for (std::uint32_t i = a.first; i < a.first + a.count; ++i)
         for (std::uint32_t j = &a == &b ? i + 1 : b.first; j < b.first + b.count; ++j)
-            if (touch(boxes_[i], boxes_[j])) visit(order_[i], order_[j]);
+            if (touch(boxes_[i], boxes_[j]) && !visit(order_[i], order_[j])) return false;
+    return true;
 }
 
 }  // namespace povpreview

@@ -205,6 +205,7 @@ void ShadowVolumes::cast(const SpaceSegment& segment, std::vector<Backdrop>& bac
     if (sheet.degenerate) return;
     const Ends tolerance = tolerances(segment);
     std::vector<Backdrop> through;  // faces that let light pass
+    std::size_t since_move = 0;     // so that moving costs no more than what it follows
     hierarchy_.search([&](const FaceBox& box) { return sheet.region.misses(box); }, sheet.away,
                       [&](std::uint32_t face) {
                           Backdrop backdrop;
@@ -214,8 +215,10 @@ void ShadowVolumes::cast(const SpaceSegment& segment, std::vector<Backdrop>& bac
                               return true;
                           }
                           put_in_front(backdrop, backdrops);
-                          if (covered(backdrops))
-                              sheet.region.move_to(farthest(segment, backdrops, sheet.away));
+                          if (++since_move * 4 < backdrops.size() || !covered(backdrops))
+                              return true;
+                          since_move = 0;
+                          sheet.region.move_to(farthest(segment, backdrops, sheet.away));
                           return true;
                       });
     const std::size_t blocking = backdrops.size();

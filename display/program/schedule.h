@@ -23,7 +23,7 @@ class GeometricSchedule {
     static double time(int moment) { return first * std::pow(step, moment); }
 
    private:
-    static constexpr double first = .02, step = 1.5;
+    static constexpr double first = .004, step = 1.5;
     double next_ = first;
     int count_ = 0;
 };

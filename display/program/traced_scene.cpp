@@ -249,9 +249,11 @@ std::optional<std::string> TracedScene::take_edge_report() {
     if (!found.scene)
         return "no edges known without tracing: " + why_not_straight(description_.camera);
     return fmt::format(
-        "{} chains of edges known without tracing, of {} pieces, from {} faces, after {:.3f} s; "
+        "{} chains of edges known without tracing, of {} pieces, from {} faces, after {:.3f} s{}; "
         "not polygonal: {}",
-        found.chains, found.pieces, found.faces, found.seconds, left_out_);
+        found.chains, found.pieces, found.faces, found.seconds,
+        found.all ? "" : ", when looking for more was given up: too many faces behind each other",
+        left_out_);
 }
 
 }  // namespace povpreview

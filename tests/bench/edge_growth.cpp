@@ -48,16 +48,18 @@ Run time_once(const PolygonScene& scene, int mirror_depth) {
     Run run;
     const double start = now();
     double before = start;
-    find_edges(scene, {.mirror_depth = mirror_depth}, [&](std::vector<ImageEdge>&& pieces) {
-        // Calls without pieces, which only ask whether to go on, count to the next with some.
-        if (pieces.empty()) return true;
-        const double at = now();
-        if (run.pieces == 0) run.first = at - start;
-        run.stage[stage_of(pieces.back())] += at - before;
-        run.pieces += pieces.size();
-        before = at;
-        return true;
-    });
+    find_edges(scene, {.mirror_depth = mirror_depth},
+               [&](std::vector<ImageEdge>&& pieces, std::uint64_t) {
+                   // Calls without pieces, which only ask whether to go on, count to the next with
+                   // some.
+                   if (pieces.empty()) return true;
+                   const double at = now();
+                   if (run.pieces == 0) run.first = at - start;
+                   run.stage[stage_of(pieces.back())] += at - before;
+                   run.pieces += pieces.size();
+                   before = at;
+                   return true;
+               });
     run.all = now() - start;
     return run;
 }

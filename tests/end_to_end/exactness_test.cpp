@@ -26,13 +26,8 @@ TEST_P(ExactnessTest, SamplesAreThePixelsOfStockPovray) {
     const TracedImage image = trace_pixels(words, RayKind::full, Parts::colour, seed);
     const Difference difference = compare_with_stock(image, words, folder);
     EXPECT_EQ(difference.failed, 0U);
-    // POV-Ray tests the object that shadowed the last point first, by other rules than in the full
-    // test: where light grazes, a point may shadow itself, depending on what came before. Samples
-    // must not, so a few pixels of a soft shadow's edge may differ.
-    const bool grazing = std::string(GetParam().name) == "soft_shadow";
-    EXPECT_LE(difference.differing, grazing ? image.samples.size() / 500 : 0U)
+    EXPECT_EQ(difference.differing, 0U)
         << "worst " << difference.worst << ", rmse " << difference.root_mean_square;
-    EXPECT_LE(difference.worst, grazing ? 655 : 1);
 }
 
 INSTANTIATE_TEST_SUITE_P(Still, ExactnessTest, testing::ValuesIn(scenes::still),

@@ -40,7 +40,7 @@ void edges(std::span<const std::byte> bytes) {
     const EdgeFinding options{.mirror_depth = static_cast<int>(input.whole(3))};
     const PolygonScene scene = polygon_scene(input);
     std::vector<ImageEdge> all;
-    find_edges(scene, options, [&](std::vector<ImageEdge>&& pieces) {
+    find_edges(scene, options, [&](std::vector<ImageEdge>&& pieces, std::uint64_t) {
         all.insert(all.end(), pieces.begin(), pieces.end());
         return true;
     });

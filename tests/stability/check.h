@@ -20,6 +20,10 @@ constexpr double growth_factor = 1.25, growth_step = .015;
 /// A step of 8 bit: what a pixel of a completed picture may be off.
 constexpr double pixel_step = 1.01 / 255;
 
+/// Pixels that differ from the stock render's are rendered again by it, each alone: all of them, or
+/// some of too many.
+constexpr std::size_t all_alone = 400, some_alone = 20;
+
 /// How a case went.
 struct Outcome {
     std::array<double, shares.size()> l1{};  ///< against the stock render, display-encoded
@@ -33,7 +37,8 @@ struct Outcome {
 };
 
 /// Previews the case by `mesh` in this process and checks it at each share: mesh and heap valid,
-/// all pixels finite, the error not growing; and the completed picture against the stock render.
+/// all pixels finite, the error not growing; and the completed picture against the stock render,
+/// where that differs against what stock makes of the pixel alone.
 /// Pictures are written to `keep`, unless that is empty.
 Outcome check(const Case& one, bool full, const std::filesystem::path& keep);
 

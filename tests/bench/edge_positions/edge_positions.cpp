@@ -99,10 +99,11 @@ Constraints find_constraints(const Options& options) {
     Constraints result;
     result.size = {description.width, description.height};
     std::vector<ImageEdge> pieces;
-    find_edges(*scene, {.mirror_depth = options.mirror_depth}, [&](std::vector<ImageEdge>&& more) {
-        pieces.insert(pieces.end(), more.begin(), more.end());
-        return true;
-    });
+    find_edges(*scene, {.mirror_depth = options.mirror_depth},
+               [&](std::vector<ImageEdge>&& more, std::uint64_t) {
+                   pieces.insert(pieces.end(), more.begin(), more.end());
+                   return true;
+               });
     result.chains = chain_edges(std::move(pieces), result.size);
     find_idle(oracle, result);
     return result;

@@ -22,10 +22,11 @@ constexpr double time_limit = 10;  ///< seconds, sanitizers included; all scenes
 std::vector<ImageEdge> find_soundly(const PolygonScene& scene, int mirror_depth = 1) {
     const auto start = std::chrono::steady_clock::now();
     std::vector<ImageEdge> all;
-    find_edges(scene, {.mirror_depth = mirror_depth}, [&](std::vector<ImageEdge>&& pieces) {
-        all.insert(all.end(), pieces.begin(), pieces.end());
-        return true;
-    });
+    find_edges(scene, {.mirror_depth = mirror_depth},
+               [&](std::vector<ImageEdge>&& pieces, std::uint64_t) {
+                   all.insert(all.end(), pieces.begin(), pieces.end());
+                   return true;
+               });
     const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
     EXPECT_LT(taken.count(), time_limit);
     for (const ImageEdge& piece : all) {
@@ -296,11 +297,25 @@ TEST(BadInput, ManyFacesAroundOnePointAndOneEdge) {
 TEST(BadInput, StoppingAtOnceStops) {
     const PolygonScene scene = random_scene(Family::mirrors, 3, 64);
     int calls = 0;
-    find_edges(scene, {}, [&](std::vector<ImageEdge>&&) {
+    find_edges(scene, {}, [&](std::vector<ImageEdge>&&, std::uint64_t) {
         ++calls;
         return false;
     });
     EXPECT_EQ(calls, 1);
+}
+
+TEST(BadInput, FacesWithoutEndAreGivenUp) {
+    const PolygonScene scene = random_scene(Family::mirrors, 3, 64);
+    std::uint64_t all = 0;
+    const auto take = [&](std::vector<ImageEdge>&&, std::uint64_t effort) {
+        all = effort;
+        return true;
+    };
+    EXPECT_TRUE(find_edges(scene, {}, take));
+    const std::uint64_t whole = all;
+    EXPECT_FALSE(find_edges(scene, {.most_effort = whole / 2}, take));
+    EXPECT_GE(all, whole / 2);
+    EXPECT_LT(all, whole);
 }
 
 TEST(BadInput, CamerasWithoutSense) {

@@ -55,10 +55,11 @@ std::string Tally::text() const {
 
 EdgeLaws::EdgeLaws(const PolygonScene& scene, int mirror_depth)
     : scene_(scene), brute_(scene, mirror_depth) {
-    find_edges(scene, {.mirror_depth = mirror_depth}, [&](std::vector<ImageEdge>&& found) {
-        std::move(found.begin(), found.end(), std::back_inserter(pieces_));
-        return true;
-    });
+    find_edges(scene, {.mirror_depth = mirror_depth},
+               [&](std::vector<ImageEdge>&& found, std::uint64_t) {
+                   std::move(found.begin(), found.end(), std::back_inserter(pieces_));
+                   return true;
+               });
     for (int i = 0; i < grid_size * grid_size; ++i) {
         grid_.emplace_back((i % grid_size + .5) * scene.width / grid_size,
                            (i / grid_size + .5) * scene.height / grid_size);

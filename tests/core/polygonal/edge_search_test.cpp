@@ -28,7 +28,7 @@ double distance_to(const EdgeChain& chain, glm::dvec2 p) {
 TEST(EdgeSearch, FindsWhatIsFoundWithoutAThread) {
     const PolygonScene scene = office_of(300);
     std::vector<ImageEdge> pieces;
-    find_edges(scene, {}, [&](std::vector<ImageEdge>&& some) {
+    find_edges(scene, {}, [&](std::vector<ImageEdge>&& some, std::uint64_t) {
         pieces.insert(pieces.end(), some.begin(), some.end());
         return true;
     });

@@ -14,10 +14,11 @@ namespace {
 
 std::vector<ImageEdge> find(const PolygonScene& scene, int mirror_depth = 1) {
     std::vector<ImageEdge> all;
-    find_edges(scene, {.mirror_depth = mirror_depth}, [&](std::vector<ImageEdge>&& pieces) {
-        all.insert(all.end(), pieces.begin(), pieces.end());
-        return true;
-    });
+    find_edges(scene, {.mirror_depth = mirror_depth},
+               [&](std::vector<ImageEdge>&& pieces, std::uint64_t) {
+                   all.insert(all.end(), pieces.begin(), pieces.end());
+                   return true;
+               });
     return all;
 }
 
