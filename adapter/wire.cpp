@@ -231,6 +231,13 @@ void report::Answer::check_asked(std::uint32_t batch_count, const BatchKind& ask
 /// Sums of light up to this over many samples, and its product with albedos, stay finite.
 constexpr float brightest = 1e30f;
 
+/// Light as a picture can show it: none where it is no number, as in POV-Ray's own pictures.
+glm::vec3 shown(glm::vec3 light) {
+    for (int c = 0; c < 3; ++c)
+        if (std::isnan(light[c])) light[c] = 0;
+    return glm::clamp(light, -brightest, brightest);
+}
+
 void report::Answer::read(std::uint32_t i, Sample& sample) const {
     assert(i < count_);
     const Sample blank{.position = sample.position,
@@ -260,16 +267,19 @@ void report::Answer::read(std::uint32_t i, Sample& sample) const {
         const wire::Signature& from = *s->Get(i);
         sample.signature = {from.primary(), from.lights(), from.reflected(), from.refracted()};
     }
-    const bool usable = (failed_.empty() || !failed_[i]) && finite(sample.colour) &&
-                        std::isfinite(sample.transmittance) && std::isfinite(sample.depth) &&
-                        finite(sample.normal) && finite(sample.albedo) &&
-                        finite(sample.illumination) && finite(sample.remainder);
+    const bool usable = (failed_.empty() || !failed_[i]) && std::isfinite(sample.transmittance) &&
+                        std::isfinite(sample.depth) && finite(sample.normal);
     if (!usable) {
         sample = blank;
         sample.failed = true;
     }
-    for (glm::vec3* light : {&sample.colour, &sample.illumination, &sample.remainder})
-        *light = glm::clamp(*light, -brightest, brightest);
+    sample.colour = shown(sample.colour);
+    if (!finite(sample.albedo) || !finite(sample.illumination) || !finite(sample.remainder)) {
+        sample.albedo = sample.illumination = glm::vec3(0);
+        sample.remainder = sample.colour;
+    }
+    sample.illumination = shown(sample.illumination);
+    sample.remainder = shown(sample.remainder);
     if (table_->cost_ns()) sample.cost_ns = table_->cost_ns()->Get(i);
 }
 

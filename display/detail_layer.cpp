@@ -25,6 +25,8 @@ struct TriangleCorner {
 
 /// Texels to a row, of tables that are no pictures.
 constexpr std::size_t table_width = 1024;
+/// Albedos are held twice while they go to GL, in 24 bytes a pixel.
+constexpr long long most_pixels = 1LL << 26;
 
 bool is_even(const Light* corners) {
     return corners[0].item == corners[1].item && corners[1].item == corners[2].item;
@@ -69,7 +71,9 @@ DetailLayer::DetailLayer(const GlContext& context)
 }
 
 bool DetailLayer::takes(const Picture& picture) const {
-    return picture.detail && std::max(picture.width, picture.height) <= context_.max_texture_size();
+    return picture.detail &&
+           std::max(picture.width, picture.height) <= context_.max_texture_size() &&
+           1LL * picture.width * picture.height <= most_pixels;
 }
 
 void DetailLayer::load(const Picture& picture) {

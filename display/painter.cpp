@@ -81,6 +81,9 @@ struct Elements {
     GLsizei count = 0;
 };
 
+/// Side of a block: Mesa takes no texture of more than a gigabyte, whatever its sides.
+constexpr int largest_block = 4096;
+
 /// A block of the picture's pixels, no larger than a texture may be.
 struct PixelBlock {
     PixelBlock(const GlFunctions& gl, const Picture& picture, int x0, int y0, int limit)
@@ -160,7 +163,7 @@ void Painter::Layers::load_pixels(const Picture& picture) {
     if (std::none_of(picture.known.begin(), picture.known.end(), is_known)) return;
     assert(picture.pixels.size() == static_cast<std::size_t>(picture.width) * picture.height);
     assert(picture.known.size() == picture.pixels.size());
-    const int limit = context.max_texture_size();
+    const int limit = std::min(largest_block, context.max_texture_size());
     for (int y = 0; y < picture.height; y += limit)
         for (int x = 0; x < picture.width; x += limit)
             pixels.emplace_back(gl, picture, x, y, limit);

@@ -176,10 +176,9 @@ void OracleTask::trace_full(const Batch& batch, Position position, Sample& sampl
     trace_.SetRecorder(nullptr);
 
     sample.light = shared_->linear(pov::RGBColour(colour));
-    sample.transmittance = std::clamp(colour.transm(), 0.0f, 1.0f);
+    sample.transmittance = std::min(std::max(0.0f, colour.transm()), 1.0f);  // NaN: none
     if (guide && !blurred) recorder_.finish(sample);
     if (batch.parts.shading) add_shading(sample);
-    sample.failed = !is_finite(sample.light);
 }
 
 /// Probe and albedo rays: POV-Ray's colour is not used, nor media and fog. They are the same at any

@@ -8,7 +8,7 @@
 //   once=FILE      a life begun after FILE exists has no faults; the first life makes it
 //   die_at=X,Y     dies over any sample in that pixel
 //   fail_at=X,Y    reports a sample in that pixel as failed
-//   nan_at=X,Y     gives a sample in that pixel a colour that is no number
+//   nan_at=X,Y     gives a sample in that pixel a depth that is no number
 //   fault=NAME     does NAME instead of the (die_after + 1)th sample's slice: stall, stop, half,
 //                  garbage, huge, batch, count, twice, missing, outside, failure, silent_exit,
 //                  scene_again, hello_again, early_answer ...
@@ -238,7 +238,7 @@ Slice FakeTracer::slice(const Order& order, std::uint32_t first, std::uint32_t c
         s.samples.push_back(sample_at(p));
         s.samples.back().colour *= rung_scale(order.rung);
         if (in_pixel("nan_at", p))
-            s.samples.back().colour.g = std::numeric_limits<float>::quiet_NaN();
+            s.samples.back().depth = std::numeric_limits<float>::quiet_NaN();
     }
     return s;
 }

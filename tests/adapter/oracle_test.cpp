@@ -131,7 +131,7 @@ TEST_F(OracleTest, SubmittingBeforeTheSceneIsThere) {
     expect_right(trace(oracle, all_pixels(), everything), all_pixels(), everything);
 }
 
-TEST_F(OracleTest, AFailedSampleIsFailedAloneAndANumberThatIsNoneIsAFailure) {
+TEST_F(OracleTest, AFailedSampleIsFailedAloneAndADepthThatIsNoneIsAFailure) {
     PovrayOracle oracle(fake_tracer({"fail_at=3,4", "nan_at=5,6"}));
     expect_right(
         trace(oracle, all_pixels(), everything), all_pixels(), everything, [](const Sample& s) {

@@ -224,7 +224,26 @@ TEST(Wire, LightBeyondAllBoundsIsCutDown) {
     EXPECT_EQ(sample.colour, glm::vec3(1e30f, -1e30f, .5f));
     EXPECT_EQ(sample.illumination, glm::vec3(1e30f));
     answer.read(2, sample);
-    EXPECT_TRUE(sample.failed);
+    EXPECT_EQ(sample.colour, glm::vec3(1e30f, -1e30f, .5f));
+}
+
+/// Stock POV-Ray shows it black, too.
+TEST(Wire, LightThatIsNoNumberIsNone) {
+    fake::Slice slice = slice_of(2, RayKind::full, Parts::shading);
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    slice.samples[0].colour = {.5f, nan, .25f};
+    slice.samples[0].illumination = glm::vec3(nan);
+    slice.samples[1].albedo.z = nan;
+    const Bytes bytes = content(fake::answer_frame(slice));
+    const auto answer = std::get<report::Answer>(decode_report(bytes));
+    for (std::uint32_t i = 0; i < 2; ++i) {
+        Sample sample{.position = {1, 2}};
+        answer.read(i, sample);
+        EXPECT_FALSE(sample.failed);
+        if (i == 0) EXPECT_EQ(sample.colour, glm::vec3(.5f, 0, .25f));
+        EXPECT_EQ(sample.albedo, glm::vec3(0));
+        EXPECT_EQ(sample.remainder, sample.colour);
+    }
 }
 
 TEST(Wire, AnAnswerOfALowerRungThanAskedIsRefused) {

@@ -266,7 +266,7 @@ TEST_P(OffscreenTest, APictureWiderThanATextureIsDrawn) {
     fill_pixels(
         picture, [](int x, int y) { return glm::vec3(x, y, 1); }, always);
     const Image image = offscreen.render(picture, 40000, 2);
-    for (const int x : {0, 2047, 2048, 16383, 16384, 32768, 39999})
+    for (const int x : {0, 2047, 2048, 4095, 4096, 16383, 16384, 32768, 39999})
         EXPECT_EQ(image.at(x, 1), glm::vec3(x, 1, 1));
 }
 

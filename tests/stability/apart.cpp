@@ -28,9 +28,8 @@ Outcome from_line(const std::string& text) {
     Outcome outcome;
     int used = 0;
     auto& l1 = outcome.l1;
-    if (std::sscanf(text.c_str(), "%lf %lf %lf %lf %lf %lf %zu %lf%n", &l1[0], &l1[1], &l1[2],
-                    &l1[3], &outcome.worst, &outcome.differing, &outcome.contradicted,
-                    &outcome.seconds, &used) != 8) {
+    if (std::sscanf(text.c_str(), "%lf %lf %lf %lf %lf %zu %lf%n", &l1[0], &l1[1], &l1[2], &l1[3],
+                    &outcome.worst, &outcome.contradicted, &outcome.seconds, &used) != 7) {
         outcome.fault = "it ended without an outcome: " + text.substr(0, 200);
         return outcome;
     }
@@ -102,9 +101,8 @@ void kill_late(std::map<pid_t, Child>& running, double limit_s) {
 }  // namespace
 
 std::string to_line(const Outcome& o) {
-    return fmt::format("{:.6f} {:.6f} {:.6f} {:.6f} {:.6f} {:.6f} {} {:.3f} {}|{}\n", o.l1[0],
-                       o.l1[1], o.l1[2], o.l1[3], o.worst, o.differing, o.contradicted, o.seconds,
-                       o.fault, o.note);
+    return fmt::format("{:.6f} {:.6f} {:.6f} {:.6f} {:.6f} {} {:.3f} {}|{}\n", o.l1[0], o.l1[1],
+                       o.l1[2], o.l1[3], o.worst, o.contradicted, o.seconds, o.fault, o.note);
 }
 
 void check_apart(const std::vector<Case>& all, bool full, const std::filesystem::path& keep,

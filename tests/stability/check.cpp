@@ -43,7 +43,7 @@ class Check {
         try {
             preview();
         } catch (const Error& error) {
-            refused(error);
+            blame(error.what());
         }
         return outcome_;
     }
@@ -104,10 +104,7 @@ class Check {
                 outcome_.worst = std::max(outcome_.worst, d);
                 if (d > pixel_step) off.emplace_back(x, y);
             }
-        outcome_.differing = double(off.size()) / double(image.pixels.size());
         if (off.empty()) return;
-        if (outcome_.differing <= case_.series->leave.differing)
-            return note(fmt::format("{} pixels off: {}", off.size(), case_.series->leave.because));
         judge_alone(image, off);
     }
 
@@ -150,20 +147,6 @@ class Check {
             std::size_t(pixel.y) * std::size_t(image.width) + std::size_t(pixel.x);
         const glm::vec3 d = glm::abs(display_encoded(image.pixels[p]) - reference.pixels[p]);
         return std::max({d.x, d.y, d.z});
-    }
-
-    /// What our tracer refuses, the stock povray must refuse too.
-    void refused(const Error& error) {
-        if (error.exit() != Exit::scene) return blame(error.what());
-        try {
-            stock();
-            blame(std::string("refused, but not by the stock povray: ") + error.what());
-        } catch (const Error&) {
-            if (case_.series->leave.refused)
-                note(std::string("refused: ") + error.what());
-            else
-                blame(error.what());
-        }
     }
 
     void keep_picture(const Image& image, std::size_t i) {

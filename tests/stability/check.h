@@ -28,7 +28,6 @@ constexpr std::size_t all_alone = 400, some_alone = 20;
 struct Outcome {
     std::array<double, shares.size()> l1{};  ///< against the stock render, display-encoded
     double worst = 0;                        ///< difference of any channel of the completed picture
-    double differing = 0;                    ///< share of its pixels that are off by a step
     std::size_t contradicted = 0;  ///< samples that contradicted what was drawn without tracing
     double seconds = 0;            ///< of sampling, from parse to completion
     long peak_kib = 0;             ///< of the largest process

@@ -6,15 +6,6 @@
 
 namespace povpreview::stability {
 
-/// What a series may fall short of, and why that is no fault of ours.
-struct Leave {
-    /// Share of the pixels of a completed picture that may differ from the stock render's.
-    double differing = 0;
-    /// May fail as a whole, where the stock povray refuses the scene too.
-    bool refused = false;
-    const char* because = "";
-};
-
 /// A family of scenes with one thing that is hard about them, made harder by a parameter.
 struct Series {
     const char* family;
@@ -25,7 +16,6 @@ struct Series {
     std::vector<double> decades;  ///< further values in the full run
     const char* text;             ///< the scene, in which K is the parameter's value
     const char* size = "";        ///< WxH, where it is what is hard
-    Leave leave{};
 };
 
 /// A series at one value: what is run.
