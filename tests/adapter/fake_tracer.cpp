@@ -237,8 +237,7 @@ Slice FakeTracer::slice(const Order& order, std::uint32_t first, std::uint32_t c
         if (in_pixel("fail_at", p)) s.failed.push_back(i);
         s.samples.push_back(sample_at(p));
         s.samples.back().colour *= rung_scale(order.rung);
-        if (in_pixel("nan_at", p))
-            s.samples.back().depth = std::numeric_limits<float>::quiet_NaN();
+        if (in_pixel("nan_at", p)) s.samples.back().depth = std::numeric_limits<float>::quiet_NaN();
     }
     return s;
 }

@@ -81,6 +81,19 @@ light_source { <5, 8, -6>, 1 }
 #for (I, 1, K) #for (J, 1, K)
   sphere { <4 * I / K - 2, 0, 4 * J / K - 2>, 1.8 / K pigment { rgb <I / K, J / K, .5> } }
 #end #end)"},
+        {"load",
+         "large",
+         "three million pixels",
+         "spheres along a side",
+         {},
+         {20},
+         R"(
+camera { location <0, 3, -3> look_at <0, 0, 0> }
+light_source { <5, 8, -6>, 1 }
+#for (I, 1, K) #for (J, 1, K)
+  sphere { <4 * I / K - 2, 0, 4 * J / K - 2>, 1.8 / K pigment { granite scale .1 } }
+#end #end)",
+         "2048x1536"},
         {"load", "holes", "differences with many parts", "holes", {12}, {3, 60}, R"(
 camera { location <0, 3, -4> look_at <0, 0, 0> }
 light_source { <5, 8, -6>, 1 }
