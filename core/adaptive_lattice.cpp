@@ -141,13 +141,16 @@ void AdaptiveLattice::weigh(const Cell& cell, const DetailMap* detail) {
     if (cell.side > 1) heap_.push({weight(cell, detail), cell});
 }
 
-void AdaptiveLattice::accept(Pixel pixel, const Sample& sample, bool shaded) {
+void AdaptiveLattice::accept(Pixel pixel, const RungLight& light) {
     if (!squares_.has_colour(pixel)) return;
-    encoded_[pixel] = encode_srgb(sample.colour);
-    if (!shaded) return;
+    encoded_[pixel] = encode_srgb(light.colour);
+    if (!light.shaded) return;
     if (lights_of_.empty()) lights_of_.resize(squares_.pixels());
-    lights_.push_back({sample.illumination, sample.remainder});
-    lights_of_[pixel] = static_cast<std::uint32_t>(lights_.size());
+    if (lights_of_[pixel] == 0) {
+        lights_.emplace_back();
+        lights_of_[pixel] = static_cast<std::uint32_t>(lights_.size());
+    }
+    lights_[lights_of_[pixel] - 1] = {light.illumination, light.remainder};
 }
 
 /// Cells that are being split now are not in the heap; their quarters will be.

@@ -13,8 +13,8 @@
 
 #include "core/bf_squares.h"
 #include "core/detail/detail_map.h"
-#include "core/oracle.h"
 #include "core/picture.h"
+#include "core/rung_shift.h"
 
 namespace povpreview {
 
@@ -43,8 +43,8 @@ class AdaptiveLattice {
     /// A pixel that is to be asked for at once; nothing while answers must be waited for, or when
     /// all pixels are asked for. What is known of the pixels, `detail`, may be null.
     std::optional<Pixel> next(const DetailMap* detail);
-    /// Takes the sample of a pixel, after `squares`.
-    void accept(Pixel pixel, const Sample& sample, bool shaded);
+    /// Takes the light of a pixel, after `squares`; again where it was traced more accurately.
+    void accept(Pixel pixel, const RungLight& light);
     /// More has become known of the pixels: what cells promise is reckoned anew.
     void accept_detail(const DetailMap& detail);
     /// The same around a pixel that was found to show something else than was thought.

@@ -24,6 +24,10 @@ constexpr float weight_rounding = 1e-4f;
 /// would wait for us, with more each probe would wait behind samples for those that come before it.
 constexpr std::size_t window_per_outline = 16;
 
+/// Requests outstanding until it is known what a higher rung costs: where that is little, what is
+/// traced below it is traced in vain.
+constexpr std::size_t undecided_window = 64;
+
 /// Constrained edges are not split below this length in pixels: the outline itself is not known
 /// better, and one-sided samples are traced on top of the pixels' own.
 constexpr double shortest_constraint = 4;
@@ -161,6 +165,7 @@ std::optional<Request> MeshPreviewer::next() {
     }
     if (lattice_) return next_in_lattice();
     if (auto trial = next_trial_above()) return trial;
+    if (climb_.undecided() && pending_.size() >= undecided_window) return std::nullopt;
     if (retrace_turn_) {
         retrace_turn_ = false;  // new samples take turns with old ones
         if (auto again = next_retrace(climb_.current())) return again;
@@ -193,6 +198,7 @@ std::optional<Request> MeshPreviewer::next() {
 
 std::optional<Request> MeshPreviewer::next_in_lattice() {
     if (auto seed = next_seed()) return seed;
+    if (auto again = next_retrace(climb_.current())) return again;  // few, see reach_target()
     const auto pixel = lattice_->next(detail_.get());
     if (!pixel) return std::nullopt;
     return request({Pending::Use::fill, *pixel});
@@ -312,11 +318,12 @@ void MeshPreviewer::accept_pixel(const Pending& pending, const Sample& sample, b
     else
         squares_.fail(pending.pixel);
     if (pending.use == Pending::Use::vertex) --vertices_pending_;
+    LowSample* low = keep_low(sample, usable, pending.pixel);
     if (lattice_) {
         item_seen(sample);
-        return lattice_->accept(pending.pixel, sample, shaded(sample));
+        return lattice_->accept(pending.pixel, {sample.colour, shaded(sample), sample.albedo,
+                                                sample.illumination, sample.remainder});
     }
-    LowSample* low = keep_low(sample, usable, pending.pixel);
     if (pending.use == Pending::Use::fill) return;
     const glm::dvec2 centre = squares_.centre(pending.pixel);
     bool meshed = false;

@@ -79,10 +79,13 @@ bool MeshPreviewer::climb(bool at_rest) {
     return true;
 }
 
-/// From now on samples cost what the picture will cost, and squares may be filled.
+/// From now on samples cost what the picture will cost, and squares may be filled. Where they are
+/// cheap and the picture has hardly begun, it goes on as if there had been no lower rung.
 void MeshPreviewer::reach_target() {
     const double full_ns = climb_.cost_ns(target_rung);
     plan_ = plan_by_cost(full_ns, squares_.pixels());
+    if (options_.lattice && plan_.lattice && squares_.answered() <= 2 * grid_.size())
+        return start_lattice();
     albedo_fetch_.set_price(albedo_price(usual_cost(trial_costs_), full_ns));
     for (std::size_t square = 0; square < squares_.squares(); ++square)
         if (is_dense(square)) squares_.fill(square);
@@ -169,7 +172,10 @@ void MeshPreviewer::learn_shift(const LowSample& low, const Sample& sample) {
 }
 
 void MeshPreviewer::show(const LowSample& low, const RungLight& light) {
-    if (low.pixel) squares_.replace(*low.pixel, light.colour);
+    if (low.pixel) {
+        squares_.replace(*low.pixel, light.colour);
+        if (lattice_) lattice_->accept(*low.pixel, light);
+    }
     for (std::size_t i = 0; i < low.samples.size() && low.samples[i].valid(); ++i)
         if (mesh_.relight(low.samples[i], light) && refining_ &&
             mesh_.triangulation().alive(low.vertices[i]))

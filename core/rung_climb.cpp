@@ -73,6 +73,10 @@ bool RungClimb::take_trial() {
     return true;
 }
 
+bool RungClimb::undecided() const {
+    return next_place() != current_ && steps_[next_place()].costs.size() < trials;
+}
+
 bool RungClimb::gains(const Step& step, const Step& next) const {
     const double cost = usual_cost(step.costs), next_cost = usual_cost(next.costs);
     return next_cost >= least_gain * cost &&

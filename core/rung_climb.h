@@ -49,6 +49,8 @@ class RungClimb {
     /// A rung higher than the current one is ready, but what it costs is not known: some positions
     /// should be traced at it. Each call with the answer true counts as one of them.
     bool take_trial();
+    /// A higher rung is ready, and too little is known of what it costs.
+    bool undecided() const;
     /// The highest rung that is ready and above the current one; that where there is none.
     Rung next() const { return rung(next_place()); }
     /// Goes to the next rung if it is time to; `at_rest`: there is nothing else to do. Returns

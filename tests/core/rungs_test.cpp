@@ -353,6 +353,28 @@ TEST(MeshPreviewerOnALadder, ClimbsToTheTargetHoweverLittleThereIsToSee) {
     }
 }
 
+TEST(MeshPreviewerOnALadder, ACheapTargetIsReachedAtOnceAndFillsALattice) {
+    FunctionImage image = dear_still_life();
+    image.lower = {{image.lower[0].colour, 2'000}};
+    image.full_ns = 4'000;
+    MeshPreviewer previewer(width, height, {}, {{{"sketch"}, {"target"}}});
+    FunctionOracle oracle(image);
+    Session session(previewer, oracle);
+    while (session.advance(1ms)) {
+    }
+    ASSERT_TRUE(previewer.done());
+    const Statistics statistics = previewer.statistics();
+    EXPECT_LT(statistics.rungs[0].samples, std::size_t(width * height / 20));
+    EXPECT_LT(statistics.vertices, std::size_t(width * height / 20));
+    const Picture picture = previewer.picture(Overlay::none);
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+            const auto i = std::size_t(y * width + x);
+            ASSERT_TRUE(picture.known[i]) << x << ", " << y;
+            ASSERT_EQ(picture.pixels[i], image.colour({x + .5, y + .5})) << x << ", " << y;
+        }
+}
+
 TEST(MeshPreviewerOnALadder, DependsOnTheAnswersAloneNotOnTheirGrouping) {
     std::vector<Request> first;
     for (std::uint32_t seed : {0u, 1u, 2u}) {
