@@ -3,8 +3,11 @@
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
+#include <X11/Xlib.h>
+#include <dlfcn.h>
 
 #include <algorithm>
+#include <atomic>
 
 #include "core/error.h"
 
@@ -29,12 +32,37 @@ void cut_to_screen(int& width, int& height) {
     if (room_y > 0) height = std::min(height, room_y);
 }
 
+std::atomic<bool> display_lost{false};
+
+template <class Function>
+Function* loaded(void* library, const char* name) {
+    return reinterpret_cast<Function*>(dlsym(library, name));
+}
+
+/// Xlib ends the whole program when its server is gone; with these handlers its functions return,
+/// and do nothing from then on. Looked up where GLFW has loaded them: on Wayland there are none.
+void outlive_the_display() {
+    void* xlib = dlopen("libX11.so.6", RTLD_NOW | RTLD_NOLOAD);
+    if (!xlib) return;
+    const auto display_of_glfw = loaded<Display*()>(RTLD_DEFAULT, "glfwGetX11Display");
+    const auto on_error = loaded<decltype(XSetIOErrorHandler)>(xlib, "XSetIOErrorHandler");
+    const auto on_exit = loaded<decltype(XSetIOErrorExitHandler)>(xlib, "XSetIOErrorExitHandler");
+    Display* display = display_of_glfw ? display_of_glfw() : nullptr;
+    if (!display || !on_error || !on_exit) return;
+    on_error([](Display*) { return 0; });
+    on_exit(
+        display, [](Display*, void*) { display_lost = true; }, nullptr);
+}
+
 }  // namespace
+
+bool GlfwContext::lost() { return display_lost; }
 
 /// GLFW's process-wide state, alive while any window is.
 struct GlfwContext::Library {
     Library() {
         if (!glfwInit()) throw failure("no display can be opened");
+        outlive_the_display();
     }
     ~Library() { glfwTerminate(); }
 

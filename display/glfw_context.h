@@ -19,6 +19,9 @@ class GlfwContext final : public GlContext {
     ~GlfwContext() override;
 
     GLFWwindow* window() const { return window_; }
+    /// Whether the display has gone away. Nothing may be asked of the window any more then, nor may
+    /// it be closed.
+    static bool lost();
     /// Like the constructor's size.
     void resize(int width, int height);
 

@@ -122,7 +122,11 @@ Window::Window(int picture_width, int picture_height, const std::string& title) 
                                      title);
 }
 
-Window::~Window() = default;
+Window::~Window() {
+    if (lost()) static_cast<void>(state_.release());  // what would close it talks to the display
+}
+
+bool Window::lost() const { return GlfwContext::lost(); }
 
 void Window::show(const Picture& picture, const std::string& caption) {
     state_->load(state_->main, picture, caption);
@@ -137,7 +141,7 @@ void Window::update(std::chrono::milliseconds patience) {
         glfwWaitEventsTimeout(std::chrono::duration<double>(patience).count());
     else
         glfwPollEvents();
-    state_->refresh();
+    if (!lost()) state_->refresh();
 }
 
 const Controls& Window::controls() const { return state_->controls; }

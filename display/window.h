@@ -30,6 +30,9 @@ class Window {
     /// `patience` for the first event.
     void update(std::chrono::milliseconds patience = std::chrono::milliseconds(0));
 
+    /// Whether the display has gone away: there is nothing to do but to destroy this.
+    bool lost() const;
+
     const Controls& controls() const;
     /// What to begin with; keys change it.
     void set_overlay(Overlay overlay);

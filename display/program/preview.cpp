@@ -244,9 +244,17 @@ class Preview {
             if (beside_wanted() && beside_ && beside_->samples() > 0)
                 window_->show_beside(beside_->previewer().picture(overlay), caption(*beside_));
         }
-        window_->update(going_ ? 0ms : 50ms);
+        update_window(going_ ? 0ms : 50ms);
         const double spent = scene_->time_s() - now;
         if (now >= next_frame_) next_frame_ = now + std::max(frame_s, spent / drawing_share);
+    }
+
+    void update_window(std::chrono::milliseconds patience) {
+        window_->update(patience);
+        if (!window_->lost()) return;
+        window_.reset();
+        line_.clear();
+        fmt::print(stderr, "povpreview: the display is gone; going on without a window\n");
     }
 
     // ---- what is written
@@ -321,7 +329,7 @@ class Preview {
     /// The preview becomes the render. What goes wrong here is said, and the picture still saved.
     void make_image() {
         const auto interrupted_or_shown = [this] {
-            if (window_) window_->update(0ms);
+            if (window_) update_window(0ms);
             return stopped_early();
         };
         if (session_) session_->write_all();

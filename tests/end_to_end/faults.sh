@@ -113,5 +113,19 @@ DISPLAY=:987 WAYLAND_DISPLAY= timeout 120 "$povpreview" +W120 +H90 slow.pov --ou
 [ $? -eq 0 ] && grep -q 'without a window' err && cmp -s whole.png shown.png
 report $? "where the display refuses, the preview goes on without"
 
+if command -v Xvfb >/dev/null; then
+    Xvfb -displayfd 3 3>display >/dev/null 2>&1 &
+    server=$!
+    until [ -s display ] || ! kill -0 $server 2>/dev/null; do sleep .05; done
+    rm -f log
+    DISPLAY=:$(cat display) WAYLAND_DISPLAY= "$povpreview" +W120 +H90 slow.pov --output left.png --log log \
+        >out 2>err </dev/null &
+    pid=$!
+    until grep -qs full log || ! kill -0 $pid; do sleep .05; done
+    kill -KILL $server
+    ended 0 && grep -q 'display is gone' err && cmp -s whole.png left.png
+    report $? "where the display goes away, the preview goes on without"
+fi
+
 echo "$failures failures"
 exit $((failures > 0))
