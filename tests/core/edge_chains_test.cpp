@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <cmath>
+#include <ctime>
 #include <glm/geometric.hpp>
 #include <limits>
 #include <random>
@@ -20,6 +20,9 @@ using glm::dvec2;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 /// How far a piece may be from a chain: see chain_edges().
 constexpr double reach = 2 * chain_snap + chain_flatness;
+
+/// What this process has computed for: other work on the machine does not count.
+double computing_s() { return double(std::clock()) / CLOCKS_PER_SEC; }
 
 ImageEdge piece(dvec2 from, dvec2 to, EdgeKind kind = EdgeKind::geometric, std::uint16_t light = 0,
                 float importance = 1) {
@@ -211,11 +214,11 @@ TEST(ChainEdges, ManyPiecesTakeLittleTime) {
         const dvec2 p(x(random), y(random));
         pieces.push_back(piece(p, p + dvec2(step(random), step(random))));
     }
-    const auto begin = std::chrono::steady_clock::now();
+    const double begin = computing_s();
     const auto chains = chain_edges(pieces, {640, 480});
-    const std::chrono::duration<double> time = std::chrono::steady_clock::now() - begin;
+    EXPECT_LT(computing_s() - begin, 20)
+        << "half a second in a release build; minutes if quadratic";
     expect_well_formed(chains, {640, 480});
-    EXPECT_LT(time.count(), 5) << "a tenth of it in a release build on an idle machine";
 }
 
 /// Pieces that a broken scene may give: each must end, and soon.
@@ -232,11 +235,10 @@ TEST(ChainEdges, HostilePiecesEndSoon) {
                                    100. * dvec2(unit(random), unit(random))));
         zigzag.push_back(piece({i * .002, i % 2 ? 99 : 1}, {(i + 1) * .002, i % 2 ? 1 : 99}));
     }
-    const auto begin = std::chrono::steady_clock::now();
+    const double begin = computing_s();
     for (const auto* pieces : {&in_a_pixel, &through_a_point, &everywhere, &zigzag})
         expect_well_formed(chain_edges(*pieces, {100, 100}), {100, 100});
-    const std::chrono::duration<double> time = std::chrono::steady_clock::now() - begin;
-    EXPECT_LT(time.count(), 20);
+    EXPECT_LT(computing_s() - begin, 40);
     EXPECT_LE(chain_edges(in_a_pixel, {100, 100}).size(), 100u);
 }
 

@@ -2,8 +2,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <cmath>
+#include <ctime>
 #include <limits>
 
 #include "core/polygonal/edge_finding.h"
@@ -20,15 +20,14 @@ constexpr double time_limit = 10;  ///< seconds, sanitizers included; all scenes
 
 /// Finds the edges and checks what holds of all pieces, whatever the scene.
 std::vector<ImageEdge> find_soundly(const PolygonScene& scene, int mirror_depth = 1) {
-    const auto start = std::chrono::steady_clock::now();
+    const std::clock_t start = std::clock();  // other work on the machine does not count
     std::vector<ImageEdge> all;
     find_edges(scene, {.mirror_depth = mirror_depth},
                [&](std::vector<ImageEdge>&& pieces, std::uint64_t) {
                    all.insert(all.end(), pieces.begin(), pieces.end());
                    return true;
                });
-    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
-    EXPECT_LT(taken.count(), time_limit);
+    EXPECT_LT(double(std::clock() - start) / CLOCKS_PER_SEC, time_limit);
     for (const ImageEdge& piece : all) {
         for (const glm::dvec2 end : {piece.from, piece.to}) {
             const bool inside =
