@@ -62,18 +62,19 @@ std::string validate_edges(const Triangulation& t) {
     return fault;
 }
 
-/// Whether the direction of p, seen from the centre, lies between two others; by angles, so that
-/// it owes nothing to the predicates which the mesh itself goes by.
-bool between(glm::dvec2 centre, glm::dvec2 start, glm::dvec2 end, glm::dvec2 p) {
-    const auto angle = [&](glm::dvec2 q) { return std::atan2(q.y - centre.y, q.x - centre.x); };
+/// Whether the direction of p, seen from the centre, lies within a wedge; by angles, so that it
+/// owes nothing to the predicates which the mesh itself goes by, but where both rays have one
+/// direction: these do not tell a sliver from all around.
+bool between(const Wedge& w, glm::dvec2 p) {
+    const auto angle = [&](glm::dvec2 q) { return std::atan2(q.y - w.centre.y, q.x - w.centre.x); };
     const auto turn = [&](double from, double to) {
         const double t = std::fmod(to - from, 2 * std::numbers::pi);
         return t < 0 ? t + 2 * std::numbers::pi : t;
     };
     const double rounding = 1e-9;  // radians; samples keep farther from their constraints
-    const double whole = turn(angle(start), angle(end));
-    // Where both rays have one direction, angles do not tell a sliver from all around.
-    return whole < rounding || turn(angle(start), angle(p)) <= whole + rounding;
+    double whole = turn(angle(w.start), angle(w.end));
+    if (whole < rounding && w.turn < 0) whole = 2 * std::numbers::pi;
+    return turn(angle(w.start), angle(p)) <= whole + rounding;
 }
 
 }  // namespace
@@ -117,7 +118,7 @@ std::string Mesh::validate() const {
                     return named("a face's corner has two samples at vertex ", v);
                 if (!id.valid()) continue;
                 used.insert(id);
-                if (!w.whole && !between(w.centre, w.start, w.end, samples_[id.value].position))
+                if (!w.whole && !between(w, samples_[id.value].position))
                     return named("a corner's sample lies outside its sector at vertex ", v);
             }
         }

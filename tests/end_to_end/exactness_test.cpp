@@ -28,6 +28,7 @@ TEST_P(ExactnessTest, SamplesAreThePixelsOfStockPovray) {
     EXPECT_EQ(difference.failed, 0U);
     EXPECT_EQ(difference.differing, 0U)
         << "worst " << difference.worst << ", rmse " << difference.root_mean_square;
+    EXPECT_LE(difference.worst, 1);
 }
 
 INSTANTIATE_TEST_SUITE_P(Still, ExactnessTest, testing::ValuesIn(scenes::still),
