@@ -97,6 +97,16 @@ SceneDescription scene(const wire::Scene& from) {
     return to;
 }
 
+/// Sums of light up to this over many samples, and its product with albedos, stay finite.
+constexpr float brightest = 1e30f;
+
+/// Light as a picture can show it: none where it is no number, as in POV-Ray's own pictures.
+glm::vec3 shown(glm::vec3 light) {
+    for (int c = 0; c < 3; ++c)
+        if (std::isnan(light[c])) light[c] = 0;
+    return glm::clamp(light, -brightest, brightest);
+}
+
 template <class Vector>
 void check_length(const Vector* vector, std::uint32_t count, const char* what) {
     if (vector && vector->size() != count)
@@ -226,16 +236,6 @@ void report::Answer::check_asked(std::uint32_t batch_count, const BatchKind& ask
     require(kind == RayKind::probe || (full && contains(parts, Parts::signature)),
             table_->signature(), "signatures");
     require(true, table_->cost_ns(), "costs");
-}
-
-/// Sums of light up to this over many samples, and its product with albedos, stay finite.
-constexpr float brightest = 1e30f;
-
-/// Light as a picture can show it: none where it is no number, as in POV-Ray's own pictures.
-glm::vec3 shown(glm::vec3 light) {
-    for (int c = 0; c < 3; ++c)
-        if (std::isnan(light[c])) light[c] = 0;
-    return glm::clamp(light, -brightest, brightest);
 }
 
 void report::Answer::read(std::uint32_t i, Sample& sample) const {

@@ -119,9 +119,9 @@ class Answer {
     /// Throws WireFault unless it lies inside a batch of `batch_count` samples and carries what was
     /// asked of rays of this kind.
     void check_asked(std::uint32_t batch_count, const BatchKind& asked) const;
-    /// Writes the i-th sample over `sample`, except for its position and kind. A sample with a
-    /// value that is not finite comes out as failed, and light beyond 1e30 is cut down to it.
-    /// REQUIRES: i < count().
+    /// Writes the i-th sample over `sample`, except for its position and kind. A sample whose
+    /// depth, normal or transmittance is not finite comes out as failed; light that is no number is
+    /// none, and beyond 1e30 it is cut down to that. REQUIRES: i < count().
     void read(std::uint32_t i, Sample& sample) const;
 
    private:

@@ -321,8 +321,7 @@ void MeshPreviewer::accept_pixel(const Pending& pending, const Sample& sample, b
     LowSample* low = keep_low(sample, usable, pending.pixel);
     if (lattice_) {
         item_seen(sample);
-        return lattice_->accept(pending.pixel, {sample.colour, shaded(sample), sample.albedo,
-                                                sample.illumination, sample.remainder});
+        return lattice_->accept(pending.pixel, light_of(sample, shaded(sample)));
     }
     if (pending.use == Pending::Use::fill) return;
     const glm::dvec2 centre = squares_.centre(pending.pixel);

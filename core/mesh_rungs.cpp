@@ -17,16 +17,6 @@ namespace {
 constexpr double growth = 1.5;
 constexpr std::size_t first_shift = 8;
 
-RungLight light_of(const Sample& sample) {
-    RungLight light{.colour = sample.colour};
-    light.shaded = has_sound_shading(sample);
-    if (!light.shaded) return light;
-    light.albedo = sample.albedo;
-    light.illumination = sample.illumination;
-    light.remainder = sample.remainder;
-    return light;
-}
-
 }  // namespace
 
 void MeshPreviewer::LowSample::show_at(SampleId sample, VertexId vertex) {
@@ -46,7 +36,7 @@ MeshPreviewer::LowSample* MeshPreviewer::keep_low(const Sample& sample, bool usa
     low_.push_back({.position = sample.position,
                     .pixel = pixel,
                     .surface = sample.surface,
-                    .light = light_of(sample),
+                    .light = light_of(sample, has_sound_shading(sample)),
                     .known = usable,
                     .rung = sample.rung});
     ++low_left_;
@@ -132,7 +122,7 @@ void MeshPreviewer::accept_retrace(const Pending& pending, const Sample& sample,
     const bool at_target = sample.rung == target_rung;
     if (usable) {
         if (low.known) learn_shift(low, sample);
-        low.light = light_of(sample);
+        low.light = light_of(sample, has_sound_shading(sample));
         low.known = true;
     } else if (at_target && low.pixel) {
         squares_.spoil(*low.pixel);
@@ -158,7 +148,7 @@ RungLight MeshPreviewer::shifted(const LowSample& low, Rung rung) const {
 
 /// Where rungs were skipped between the two, what is not known of them goes to the last one.
 void MeshPreviewer::learn_shift(const LowSample& low, const Sample& sample) {
-    const RungLight light = light_of(sample);
+    const RungLight light = light_of(sample, has_sound_shading(sample));
     if (sample.rung == low.rung) {
         refresh_.learn(low.position, low.surface, low.light, light);
         ++shift_learnt_;

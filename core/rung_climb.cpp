@@ -86,9 +86,8 @@ bool RungClimb::gains(const Step& step, const Step& next) const {
 bool RungClimb::climb(bool at_rest) {
     const std::size_t next = next_place();
     Step& step = steps_[current_];
-    const bool tried = steps_[next].costs.size() >= trials;
-    if (next == current_ || (!tried && !at_rest)) return false;
-    const bool gained = !tried || gains(step, steps_[next]);
+    if (next == current_ || (undecided() && !at_rest)) return false;
+    const bool gained = undecided() || gains(step, steps_[next]);
     if (gained && step.samples < standing_samples_ && !at_rest) return false;
     step.dropped = !gained && step.samples < standing_samples_;
     current_ = next;

@@ -7,6 +7,8 @@
 #include <glm/vec3.hpp>
 #include <unordered_map>
 
+#include "core/oracle.h"
+
 namespace povpreview {
 
 /// The light of a sample as one rung of the ladder sees it.
@@ -16,6 +18,12 @@ struct RungLight {
     bool shaded = false;
     glm::vec3 albedo{}, illumination{}, remainder{};
 };
+
+/// As a sample has it; `shaded`: its shading is to be reckoned with.
+inline RungLight light_of(const Sample& sample, bool shaded) {
+    if (!shaded) return {.colour = sample.colour};
+    return {sample.colour, true, sample.albedo, sample.illumination, sample.remainder};
+}
 
 /// What a higher rung adds to the light of samples of a lower one, learnt from positions that were
 /// traced at both and estimated everywhere else.

@@ -108,9 +108,13 @@ class Preview {
             window_->set_overlay(options_.overlay);
             if (options_.beside != "none") window_->press('b');
         } catch (const Error& error) {
-            line_.clear();
-            fmt::print(stderr, "povpreview: {}; going on without a window\n", error.what());
+            say_without_window(error.what());
         }
+    }
+
+    void say_without_window(const std::string& why) {
+        line_.clear();
+        fmt::print(stderr, "povpreview: {}; going on without a window\n", why);
     }
 
     /// Where samples come from: the tracer, by way of a memory where they are to be kept.
@@ -253,8 +257,7 @@ class Preview {
         window_->update(patience);
         if (!window_->lost()) return;
         window_.reset();
-        line_.clear();
-        fmt::print(stderr, "povpreview: the display is gone; going on without a window\n");
+        say_without_window("the display is gone");
     }
 
     // ---- what is written

@@ -32,9 +32,10 @@ sphere { <0, 1, 0>, 1 pigment { rgb <1, .3, .2> } }
 P
 
 # start ARGUMENTS...: begins a preview and waits until it samples; its process is $pid.
-start() {
+start() { start_shown --headless "$@"; }
+start_shown() {
     rm -f log
-    "$povpreview" slow.pov --headless --log log "$@" >out 2>err </dev/null &
+    "$povpreview" slow.pov --log log "$@" >out 2>err </dev/null &
     pid=$!
     for _ in $(seq 600); do
         grep -qs '"full"' log && return
@@ -117,11 +118,7 @@ if command -v Xvfb >/dev/null; then
     Xvfb -displayfd 3 3>display >/dev/null 2>&1 &
     server=$!
     until [ -s display ] || ! kill -0 $server 2>/dev/null; do sleep .05; done
-    rm -f log
-    DISPLAY=:$(cat display) WAYLAND_DISPLAY= "$povpreview" +W120 +H90 slow.pov --output left.png --log log \
-        >out 2>err </dev/null &
-    pid=$!
-    until grep -qs full log || ! kill -0 $pid; do sleep .05; done
+    DISPLAY=:$(cat display) WAYLAND_DISPLAY= start_shown +W120 +H90 --output left.png
     kill -KILL $server
     ended 0 && grep -q 'display is gone' err && cmp -s whole.png left.png
     report $? "where the display goes away, the preview goes on without"
