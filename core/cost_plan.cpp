@@ -50,10 +50,11 @@ double albedo_price(double albedo_ns, double full_ns) {
 double usual_cost(std::vector<std::uint32_t> costs) {
     constexpr double left_out = .02;
     if (costs.empty()) return 0;
-    std::sort(costs.begin(), costs.end());
     // Rounded down: of few, one is left out as well.
-    costs.resize(
-        std::max<std::size_t>(1, static_cast<std::size_t>((1 - left_out) * double(costs.size()))));
+    const std::size_t kept =
+        std::max<std::size_t>(1, static_cast<std::size_t>((1 - left_out) * double(costs.size())));
+    std::nth_element(costs.begin(), costs.begin() + std::ptrdiff_t(kept) - 1, costs.end());
+    costs.resize(kept);
     return std::accumulate(costs.begin(), costs.end(), 0.) / double(costs.size());
 }
 

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <numeric>
 
 #include "core/colour.h"
+#include "core/filling_order.h"
 
 namespace povpreview {
 
@@ -402,18 +402,13 @@ void MeshPreviewer::queue_side(VertexId vertex) {
     if (const auto side = heaviest_side(vertex)) heap_.push(vertex, vertex, side->weight);
 }
 
-/// Orders the squares that are left by how much a traced pixel may be expected to mend there.
 void MeshPreviewer::start_filling() {
     refining_ = false;
     heap_.clear();
     chains_ = {};
     seeds_ = {};
     albedo_fetch_.clear();
-    const std::vector<double> errors = expected_errors();
-    fill_order_.resize(squares_.squares());
-    std::iota(fill_order_.begin(), fill_order_.end(), std::size_t{0});
-    std::stable_sort(fill_order_.begin(), fill_order_.end(),
-                     [&](std::size_t p, std::size_t q) { return errors[p] < errors[q]; });
+    fill_order_ = filling_order(mesh_, squares_);
 }
 
 /// What was asked for before as vertices comes as pixels.
@@ -425,54 +420,6 @@ void MeshPreviewer::start_lattice() {
     albedo_fetch_.clear();
     lattice_.emplace(squares_, width_, height_);
     if (detail_) lattice_->accept_detail(*detail_);
-}
-
-/// For each square, the contrast across its faces, averaged over the area, against the pixels that
-/// are still to be traced. A face that spans several squares counts for each of those in its box.
-std::vector<double> MeshPreviewer::expected_errors() const {
-    std::vector<double> errors(squares_.squares());
-    const Triangulation& t = mesh_.triangulation();
-    t.for_each_face([&](VertexId a, VertexId b, VertexId c) {
-        const auto step = [&](VertexId p, VertexId q) {
-            return std::sqrt(mesh_.contrast(p, q).value_or(0));
-        };
-        const double contrast = std::max({step(a, b), step(b, c), step(c, a)});
-        const glm::dvec2 p = t.position(a), q = t.position(b), r = t.position(c);
-        const double area = ((q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x)) / 2;
-        const glm::dvec2 low = glm::min(glm::min(p, q), r), high = glm::max(glm::max(p, q), r);
-        const std::size_t first = squares_.square_of(squares_.pixel_at(low));
-        const std::size_t last = squares_.square_of(squares_.pixel_at(high));
-        const auto columns = static_cast<std::size_t>(squares_.columns());
-        const std::size_t across = last % columns - first % columns + 1;
-        const std::size_t down = last / columns - first / columns + 1;
-        const double share = contrast * area / static_cast<double>(across * down);
-        for (std::size_t j = 0; j < down; ++j)
-            for (std::size_t i = 0; i < across; ++i) errors[first + j * columns + i] += share;
-    });
-    add_outline_errors(errors);
-    for (std::size_t square = 0; square < errors.size(); ++square)
-        errors[square] /= std::max(1, squares_.area(square) - squares_.count(square));
-    return errors;
-}
-
-/// Beside a constraint the pixels are uncertain by its position error: a strip that is wrong by the
-/// jump across it.
-void MeshPreviewer::add_outline_errors(std::vector<double>& errors) const {
-    constexpr double strip = .2;  // width in pixels: the mean error of a traced outline, both sides
-    const Triangulation& t = mesh_.triangulation();
-    t.for_each_edge([&](VertexId a, VertexId b, bool constrained) {
-        if (!constrained) return;
-        const SampleId p = mesh_.corner(a, b, true), q = mesh_.corner(a, b, false);
-        if (!p.valid() || !q.valid()) return;
-        const double jump =
-            std::sqrt(colour_distance(mesh_.sample(p).encoded, mesh_.sample(q).encoded));
-        const glm::dvec2 from = t.position(a), step = t.position(b) - from;
-        const int pieces = static_cast<int>(std::ceil(glm::length(step)));
-        for (int i = 0; i < pieces; ++i) {
-            const Pixel pixel = squares_.pixel_at(from + step * ((i + .5) / pieces));
-            errors[squares_.square_of(pixel)] += strip * jump * glm::length(step) / pieces;
-        }
-    });
 }
 
 bool MeshPreviewer::done() const {

@@ -161,8 +161,6 @@ class MeshPreviewer : public Previewer {
     void insert(const Outline& outline);
     void start_filling();
     void start_lattice();
-    std::vector<double> expected_errors() const;
-    void add_outline_errors(std::vector<double>& errors) const;
 
     // What is known of each pixel (mesh_detail.cpp).
     DetailMap& detail_to_change();

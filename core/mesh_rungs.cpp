@@ -14,8 +14,11 @@ namespace {
 
 /// What is shown of samples not traced again yet is brought up to date when so many times as many
 /// were traced as the last time: each step is too small to be seen as one.
-constexpr double growth = 1.5;
+constexpr double growth = 2;
 constexpr std::size_t first_shift = 8;
+
+/// The same for what a rung shows that has become better: it is close already.
+constexpr std::size_t first_refresh = 128;
 
 }  // namespace
 
@@ -55,7 +58,7 @@ void MeshPreviewer::accept_ready(Rung rung) {
     refresh_ = RungShift(std::max(width_, height_));
     low_scanned_ = 0;
     shift_learnt_ = 0;
-    shift_again_at_ = first_shift;
+    shift_again_at_ = first_refresh;
 }
 
 /// Goes to the next rung when it is time to, or when there is nothing more to do on this one.

@@ -50,7 +50,9 @@ Rung RungClimb::rung(std::size_t place) const {
 void RungClimb::learn(const Sample& sample) {
     Step& step = steps_[place(sample.rung)];
     ++step.samples;
-    if (has_rungs() && step.costs.size() < most_costs) step.costs.push_back(sample.cost_ns);
+    if (!has_rungs() || step.costs.size() == most_costs) return;
+    step.costs.push_back(sample.cost_ns);
+    step.usual_cost = usual_cost(step.costs);
 }
 
 void RungClimb::compare(Rung lower, const glm::vec3& low, const glm::vec3& high) {
@@ -78,9 +80,8 @@ bool RungClimb::undecided() const {
 }
 
 bool RungClimb::gains(const Step& step, const Step& next) const {
-    const double cost = usual_cost(step.costs), next_cost = usual_cost(next.costs);
-    return next_cost >= least_gain * cost &&
-           next_cost * static_cast<double>(standing_samples_) > moment_ns;
+    return next.usual_cost >= least_gain * step.usual_cost &&
+           next.usual_cost * static_cast<double>(standing_samples_) > moment_ns;
 }
 
 bool RungClimb::climb(bool at_rest) {
@@ -94,12 +95,12 @@ bool RungClimb::climb(bool at_rest) {
     return true;
 }
 
-double RungClimb::cost_ns(Rung rung) const { return usual_cost(steps_[place(rung)].costs); }
+double RungClimb::cost_ns(Rung rung) const { return steps_[place(rung)].usual_cost; }
 
 std::vector<RungStanding> RungClimb::standings() const {
     std::vector<RungStanding> standings;
     for (const Step& step : steps_)
-        standings.push_back({step.name, step.samples, usual_cost(step.costs),
+        standings.push_back({step.name, step.samples, step.usual_cost,
                              step.compared > 0 ? step.difference / double(step.compared) : -1,
                              step.dropped});
     return standings;

@@ -65,8 +65,9 @@ class RungClimb {
     struct Step {
         std::string name;
         std::size_t samples = 0, trials = 0, compared = 0;
-        double difference = 0;  ///< summed over what was compared
-        std::vector<std::uint32_t> costs;
+        double difference = 0;             ///< summed over what was compared
+        std::vector<std::uint32_t> costs;  ///< of the first, in nanoseconds
+        double usual_cost = 0;
         bool ready = true, dropped = false;
     };
     std::size_t next_place() const;

@@ -14,6 +14,9 @@ constexpr std::uint32_t all_surfaces = 0xffffffff;
 /// So many samples in the cells around a position are believed as much as the coarser level.
 constexpr float half_belief = .5f;
 
+/// A share of the light too small to be looked up elsewhere.
+constexpr float no_doubt = 1.f / 512;
+
 std::uint64_t key_of(std::uint32_t surface, int level, int x, int y) {
     return std::uint64_t{surface} << 32 | std::uint64_t(level) << 28 |
            (std::uint64_t(y) & 0x3fff) << 14 | (std::uint64_t(x) & 0x3fff);
@@ -71,14 +74,19 @@ void RungShift::add(glm::dvec2 position, std::uint32_t surface, const Cell& diff
         });
 }
 
-void RungShift::refine(glm::dvec2 position, std::uint32_t surface, Estimate& estimate) const {
+/// The estimate from a surface's own cells, and in `doubt` how much of the illumination is left to
+/// what was learnt elsewhere.
+RungShift::Estimate RungShift::estimate_on(std::uint32_t surface, glm::dvec2 position,
+                                           float& doubt) const {
+    Estimate estimate;
+    doubt = 1;
     for (int level = 0; level < levels; ++level) {
         Cell around;
         for_cells_around(position, surface, level, [&](std::uint64_t key, float w) {
             if (const auto cell = cells_.find(key); cell != cells_.end())
                 around.add(cell->second, w);
         });
-        if (around.weight <= 0) return;  // finer cells are empty as well
+        if (around.weight <= 0) break;  // finer cells are empty as well
         const auto mix = [](glm::vec3& part, const glm::vec3& sum, float weight) {
             if (weight <= 0) return;
             part = glm::mix(part, sum / weight, weight / (weight + half_belief));
@@ -86,15 +94,18 @@ void RungShift::refine(glm::dvec2 position, std::uint32_t surface, Estimate& est
         mix(estimate.colour, around.colour, around.weight);
         mix(estimate.illumination, around.illumination, around.light_weight);
         mix(estimate.remainder, around.remainder, around.light_weight);
+        doubt *= half_belief / (around.light_weight + half_belief);
     }
+    return estimate;
 }
 
 RungLight RungShift::apply(glm::dvec2 position, std::uint32_t surface,
                            const RungLight& lower) const {
-    Estimate estimate;
-    refine(position, all_surfaces, estimate);
-    estimate.colour = estimate.remainder = glm::vec3(0);
-    refine(position, surface, estimate);
+    float doubt = 1, no_further = 1;
+    Estimate estimate = estimate_on(surface, position, doubt);
+    if (lower.shaded && doubt > no_doubt)
+        estimate.illumination +=
+            doubt * estimate_on(all_surfaces, position, no_further).illumination;
     RungLight shifted = lower;
     if (lower.shaded) {
         shifted.illumination = glm::max(lower.illumination + estimate.illumination, glm::vec3(0));

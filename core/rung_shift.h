@@ -68,7 +68,7 @@ class RungShift {
     void for_cells_around(glm::dvec2 position, std::uint32_t surface, int level,
                           const Visit& visit) const;
     void add(glm::dvec2 position, std::uint32_t surface, const Cell& difference);
-    void refine(glm::dvec2 position, std::uint32_t surface, Estimate& estimate) const;
+    Estimate estimate_on(std::uint32_t surface, glm::dvec2 position, float& doubt) const;
 
     double extent_;
     std::size_t size_ = 0;

@@ -91,7 +91,7 @@ class ComparisonFigures {
         return {name,
                 offscreen_.render(moments_[m][i - 1].picture, width, height, samples_per_pixel,
                                   Overlay::none, Range::display),
-                fmt::format("{}, {:.2f} s\n{} samples, error L1 {:.5f}", what,
+                fmt::format("{}, {:.3f} s\n{} samples, error L1 {:.5f}", what,
                             point.standing.time_s, point.standing.full, point.plain.l1)};
     }
 

@@ -25,7 +25,7 @@ namespace {
 using namespace std::chrono_literals;
 
 std::string name_of(int moment) {
-    return fmt::format("{:02d}-{:.2f}s", moment, GeometricSchedule::time(moment));
+    return fmt::format("{:02d}-{:.3f}s", moment, GeometricSchedule::time(moment));
 }
 
 void check_size(glm::ivec2 size, const Image& reference) {

@@ -88,7 +88,7 @@ class Pictures {
         choose_crops(moments[moments.size() / 2]);
         std::string text = reference_html();
         for (const int moment : moments) {
-            text += fmt::format("<h4>After {:.2f} s</h4>\n<div class=\"grid\">\n",
+            text += fmt::format("<h4>After {:.3f} s</h4>\n<div class=\"grid\">\n",
                                 GeometricSchedule::time(moment));
             for (const std::string& method : methods) text += cell(method, moment);
             text += "</div>\n";
@@ -165,7 +165,7 @@ class Pictures {
             100. * double(standing.full) / (double(reference_.width) * reference_.height);
         const ImageErrors& errors = now.point->plain;
         return fmt::format(
-            "<figure><figcaption>{}<br>{:.2f} s, {} samples ({:.2g} %)<br>L1 {:.4f}, FLIP {:.3f}, "
+            "<figure><figcaption>{}<br>{:.3f} s, {} samples ({:.2g} %)<br>L1 {:.4f}, FLIP {:.3f}, "
             "SSIM {:.3f}</figcaption>{}<div class=\"crops\">{}{}</div></figure>\n",
             name, standing.time_s, standing.full, share, errors.l1, errors.flip, errors.ssim,
             img(shrunk(now.image, widest_picture), FileFormat::jpeg, method), crops_html(now.image),
