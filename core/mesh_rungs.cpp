@@ -14,7 +14,7 @@ namespace {
 
 /// What is shown of samples not traced again yet is brought up to date when so many times as many
 /// were traced as the last time: each step is too small to be seen as one.
-constexpr double growth = 2;
+constexpr double growth = 3;
 constexpr std::size_t first_shift = 8;
 
 /// The same for what a rung shows that has become better: it is close already.
