@@ -74,12 +74,9 @@ void RungShift::add(glm::dvec2 position, std::uint32_t surface, const Cell& diff
         });
 }
 
-/// The estimate from a surface's own cells, and in `doubt` how much of the illumination is left to
-/// what was learnt elsewhere.
-RungShift::Estimate RungShift::estimate_on(std::uint32_t surface, glm::dvec2 position,
-                                           float& doubt) const {
+/// The estimate from a surface's own cells.
+RungShift::Estimate RungShift::estimate_on(std::uint32_t surface, glm::dvec2 position) const {
     Estimate estimate;
-    doubt = 1;
     for (int level = 0; level < levels; ++level) {
         Cell around;
         for_cells_around(position, surface, level, [&](std::uint64_t key, float w) {
@@ -94,18 +91,16 @@ RungShift::Estimate RungShift::estimate_on(std::uint32_t surface, glm::dvec2 pos
         mix(estimate.colour, around.colour, around.weight);
         mix(estimate.illumination, around.illumination, around.light_weight);
         mix(estimate.remainder, around.remainder, around.light_weight);
-        doubt *= half_belief / (around.light_weight + half_belief);
+        estimate.doubt *= half_belief / (around.light_weight + half_belief);
     }
     return estimate;
 }
 
 RungLight RungShift::apply(glm::dvec2 position, std::uint32_t surface,
                            const RungLight& lower) const {
-    float doubt = 1, no_further = 1;
-    Estimate estimate = estimate_on(surface, position, doubt);
-    if (lower.shaded && doubt > no_doubt)
-        estimate.illumination +=
-            doubt * estimate_on(all_surfaces, position, no_further).illumination;
+    Estimate estimate = estimate_on(surface, position);
+    if (lower.shaded && estimate.doubt > no_doubt)
+        estimate.illumination += estimate.doubt * estimate_on(all_surfaces, position).illumination;
     RungLight shifted = lower;
     if (lower.shaded) {
         shifted.illumination = glm::max(lower.illumination + estimate.illumination, glm::vec3(0));

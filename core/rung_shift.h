@@ -61,6 +61,7 @@ class RungShift {
     };
     struct Estimate {
         glm::vec3 colour{}, illumination{}, remainder{};
+        float doubt = 1;  ///< how much of the illumination is left to what was learnt elsewhere
     };
     static constexpr int levels = 7;
 
@@ -68,7 +69,7 @@ class RungShift {
     void for_cells_around(glm::dvec2 position, std::uint32_t surface, int level,
                           const Visit& visit) const;
     void add(glm::dvec2 position, std::uint32_t surface, const Cell& difference);
-    Estimate estimate_on(std::uint32_t surface, glm::dvec2 position, float& doubt) const;
+    Estimate estimate_on(std::uint32_t surface, glm::dvec2 position) const;
 
     double extent_;
     std::size_t size_ = 0;

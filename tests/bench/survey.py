@@ -10,7 +10,7 @@ quantiles over the others the seconds from the end of the parse to mesh's first 
 error (L1) of .02, and how many times as long each other method took to that, and the best of them;
 and the scenes where mesh is behind that one by more than 5 %.
 """
-import csv, math, os, pathlib, random, subprocess, sys
+import csv, json, math, os, pathlib, random, subprocess, sys
 
 EXAMPLES = pathlib.Path("/usr/share/doc/povray/examples")
 METHODS = ["mesh", "blocks", "mosaic", "delaunay", "bicubic"]
@@ -39,28 +39,16 @@ def run(povpreview, out, options):
         (folder / "messages").write_text(f"{ended.returncode}\n{ended.stderr}")
 
 
-def reached(curve, level):
-    """Seconds until the error stays at a level: between two moments on logarithmic axes."""
-    i = len(curve)
-    while i > 0 and curve[i - 1][1] <= level:
-        i -= 1
-    if i == len(curve):
-        return math.inf
-    if i == 0:
-        return curve[0][0]
-    (t0, e0), (t1, e1) = curve[i - 1], curve[i]
-    return t0 * (t1 / t0) ** (math.log(e0 / level) / math.log(e0 / max(e1, 1e-6)))
-
-
 def read(folder):
     """Of a scene, for each method: seconds to its first picture and to the level."""
-    curves = {}
+    shown = {}
     for row in csv.DictReader(open(folder / "curves.csv")):
-        curves.setdefault(row["method"], []).append(
-            (float(row["time_s"]), float(row["l1"]), float(row["full"])))
-    return {method: (min((t for t, _, full in curve if full >= FIRST), default=math.inf),
-                     reached([(t, l1) for t, l1, _ in curve], LEVEL))
-            for method, curve in curves.items()}
+        if float(row["full"]) >= FIRST:
+            shown.setdefault(row["method"], float(row["time_s"]))
+    return {r["method"]: (shown.get(r["method"], math.inf),
+                          math.inf if r["median"] is None else r["median"])
+            for r in json.load(open(folder / "summary.json"))["reached"]
+            if (r["measure"], r["axis"], r["level"]) == ("l1", "time_s", LEVEL)}
 
 
 def quantiles(what, values):
