@@ -20,6 +20,9 @@ constexpr std::size_t first_shift = 8;
 /// The same for what a rung shows that has become better: it is close already.
 constexpr std::size_t first_refresh = 128;
 
+/// More positions than this teach nothing: cornell and patio-radio_37 come to each error as soon.
+constexpr std::size_t most_learnt = 2048;
+
 }  // namespace
 
 void MeshPreviewer::LowSample::show_at(SampleId sample, VertexId vertex) {
@@ -151,6 +154,7 @@ RungLight MeshPreviewer::shifted(const LowSample& low, Rung rung) const {
 
 /// Where rungs were skipped between the two, what is not known of them goes to the last one.
 void MeshPreviewer::learn_shift(const LowSample& low, const Sample& sample) {
+    if (shift_learnt_ == most_learnt) return;
     const RungLight light = light_of(sample, has_sound_shading(sample));
     if (sample.rung == low.rung) {
         refresh_.learn(low.position, low.surface, low.light, light);

@@ -74,21 +74,23 @@ void Oracle::expect(Stage stage, std::uint64_t total) {
     stage_ = stage;
     total_ = total;
     done_ = 0;
+    stage_begun_ = Clock::now();
     progress(stage, 0, total);
 }
 
 void Oracle::advance(std::uint64_t done) {
     const std::uint64_t now = done_ += done;
     progress(stage_, now, total_);
-    std::uint64_t due = announced_at_;
-    if (stage_ == Stage::radiosity && now >= due &&
-        announced_at_.compare_exchange_strong(due, 2 * due))
+    if (stage_ != Stage::radiosity || now < announced_from_) return;
+    const Clock::rep taken = (Clock::now() - stage_begun_).count();
+    Clock::rep last = announced_at_;
+    if (taken >= 2 * last && announced_at_.compare_exchange_strong(last, taken))
         wire_->send_rung_ready(announced_rung_);
 }
 
 void Oracle::announce_rung(std::uint8_t rung, std::uint64_t pretraced) {
     announced_rung_ = rung;
-    announced_at_ = pretraced;
+    announced_from_ = pretraced;
 }
 
 void Oracle::note_read(const std::string& file) {

@@ -52,7 +52,7 @@ class Oracle {
     bool preparation_first() const;
 
     /// Tells the previewer that a rung is ready when the radiosity pretrace has `advance`d so far,
-    /// and again whenever it has come twice as far as the last time.
+    /// and again whenever it has taken twice as long as the last time.
     void announce_rung(std::uint8_t rung, std::uint64_t pretraced);
 
     /// Progress of a stage that counts what it has done; `total` 0: not known.
@@ -94,7 +94,9 @@ class Oracle {
     std::atomic<Stage> stage_{Stage::parsing};
     std::atomic<std::uint64_t> done_{0}, total_{0};
     std::uint8_t announced_rung_ = 0;
-    std::atomic<std::uint64_t> announced_at_{UINT64_MAX};
+    std::uint64_t announced_from_ = UINT64_MAX;
+    std::atomic<Clock::rep> announced_at_{0};  // after stage_begun_
+    Clock::time_point stage_begun_;
     std::atomic<Clock::rep> first_look_from_{0};
     std::atomic<std::int64_t> first_samples_left_{0};
     std::atomic<bool> first_look_over_{false};

@@ -10,10 +10,10 @@ quantiles over the others the seconds from the end of the parse to mesh's first 
 error (L1) of .02, and how many times as long each other method took to that, and the best of them;
 and the scenes where mesh is behind that one by more than 5 %.
 """
-import csv, json, math, os, pathlib, random, subprocess, sys
+import math, os, pathlib, random, sys
 
-EXAMPLES = pathlib.Path("/usr/share/doc/povray/examples")
-METHODS = ["mesh", "blocks", "mosaic", "delaunay", "bicubic"]
+from comparisons import EXAMPLES, METHODS, compare, first_pictures, reached
+
 LEVEL = .02
 FIRST = 42  # samples of which a first picture is made, as many as are traced in a few milliseconds
 QUANTILES = [0, .05, .25, .5, .75, .95, 1]
@@ -28,27 +28,18 @@ def run(povpreview, out, options):
             break
         if (folder / "messages").exists():
             continue
-        command = [povpreview, "compare", "+W320", "+H240", str(scene), "--methods", ",".join(METHODS),
-                   "--time", "3", "--out", str(folder), *options]
-        ended = subprocess.run(command, cwd=scene.parent, stdin=subprocess.DEVNULL,
-                               stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+        code, said = compare(povpreview, scene, ["+W320", "+H240", "--methods", ",".join(METHODS),
+                                                 "--time", "3", *options], folder)
         folder.mkdir(exist_ok=True)
-        for picture in folder.rglob("*.png"):
-            picture.unlink()
         # Last, as it says that the scene is done.
-        (folder / "messages").write_text(f"{ended.returncode}\n{ended.stderr}")
+        (folder / "messages").write_text(f"{code}\n{said}")
 
 
 def read(folder):
     """Of a scene, for each method: seconds to its first picture and to the level."""
-    shown = {}
-    for row in csv.DictReader(open(folder / "curves.csv")):
-        if float(row["full"]) >= FIRST:
-            shown.setdefault(row["method"], float(row["time_s"]))
-    return {r["method"]: (shown.get(r["method"], math.inf),
-                          math.inf if r["median"] is None else r["median"])
-            for r in json.load(open(folder / "summary.json"))["reached"]
-            if (r["measure"], r["axis"], r["level"]) == ("l1", "time_s", LEVEL)}
+    shown = first_pictures(folder, FIRST)
+    return {method: (shown.get(method, math.inf), seconds)
+            for method, seconds in reached(folder, LEVEL).items()}
 
 
 def quantiles(what, values):
