@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <set>
 #include <string>
@@ -105,11 +106,13 @@ class Oracle {
 /// Short for use inside POV-Ray.
 inline bool enabled() { return Oracle::instance().enabled(); }
 
-/// POV-Ray's threads ask each other by polling every 10 to 50 ms, and a start takes five or six
+/// POV-Ray's threads ask each other by polling every 10 to 100 ms, and a start takes five or six
 /// such rounds: .25 s in which nothing happens. Milliseconds to wait instead of `usual` ones.
 inline unsigned poll_interval(unsigned usual) {
+    constexpr unsigned prompt = 1, unnoticed = 5;
     const Oracle& oracle = Oracle::instance();
-    return oracle.enabled() && !oracle.serving() ? 1 : usual;
+    if (!oracle.enabled()) return usual;
+    return std::min(usual, oracle.serving() ? unnoticed : prompt);
 }
 
 /// The previewer has asked for the image, of so many pixels, and POV-Ray begins to make it.
