@@ -1,35 +1,46 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
-#include <cstddef>
-#include <mutex>
+#include <array>
+#include <cstdint>
+#include <shared_mutex>
+#include <unordered_map>
 
+#include "backend/oracle/point.h"
 #include "backend/oracle/samples.h"
 
 namespace povpreview::tracer {
 
-/// The mean of all light that radiosity has gathered so far for what the eye sees: a guess where
-/// nothing nearer is known. Any thread may add to it or read it.
+/// The light that radiosity has gathered so far for what the eye sees, and from it a guess for
+/// places that its cache does not reach: first the mean of all, then that of what faces the same
+/// way nearby, from far to near, by how much is there. Any thread may add to it or read it.
+///
+/// Light is kept in cells of space that are halved from level to level, apart for each of the six
+/// directions along the axes; between the middles of cells, and between directions, it is
+/// interpolated.
 class GatheredLight {
    public:
-    void add(float red, float green, float blue) {
-        const std::lock_guard lock(mutex_);
-        sum_ = {sum_.r + red, sum_.g + green, sum_.b + blue};
-        ++count_;
-    }
+    /// Light gathered at a place, a surface's normal of length 1 there, and how far away usually is
+    /// what it comes from: that of the first decides how large cells are.
+    void add(const Point& place, const Point& normal, double distance, const Rgb& light);
     /// Black if there is none yet.
-    Rgb mean() {
-        const std::lock_guard lock(mutex_);
-        const auto share = [this](float sum) {
-            return count_ > 0 ? sum / static_cast<float>(count_) : 0;
-        };
-        return {share(sum_.r), share(sum_.g), share(sum_.b)};
-    }
+    Rgb guess(const Point& place, const Point& normal) const;
 
    private:
-    std::mutex mutex_;
-    Rgb sum_;
-    std::size_t count_ = 0;
+    struct Cell {
+        Rgb sum;
+        float weight = 0;
+
+        void add(const Cell& other, float share);
+    };
+    template <class Visit>
+    void for_cells_around(const Point& place, const Point& normal, int level,
+                          const Visit& visit) const;
+
+    mutable std::shared_mutex mutex_;
+    double extent_ = 0;  // side of the cells of the first level; 0: nothing has been added
+    Cell all_;
+    std::unordered_map<std::uint64_t, Cell> cells_;
 };
 
 inline GatheredLight& gathered_light() {
