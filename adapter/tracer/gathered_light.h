@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <shared_mutex>
 #include <unordered_map>
@@ -12,11 +11,12 @@
 namespace povpreview::tracer {
 
 /// The light that radiosity has gathered so far for what the eye sees, and from it a guess for
-/// places that its cache does not reach: first the mean of all, then that of what faces the same
-/// way nearby, from far to near, by how much is there. Any thread may add to it or read it.
+/// places that its cache does not reach: the mean of what faces the same way nearby; the less is
+/// there, the more of what is farther around, and in the end of all. Any thread may add to it or
+/// read it.
 ///
-/// Light is kept in cells of space that are halved from level to level, apart for each of the six
-/// directions along the axes; between the middles of cells, and between directions, it is
+/// Light is kept in cells of space, on levels of a quarter of the side each, apart for each of the
+/// six directions along the axes; between the middles of cells, and between directions, it is
 /// interpolated.
 class GatheredLight {
    public:
@@ -33,9 +33,8 @@ class GatheredLight {
 
         void add(const Cell& other, float share);
     };
-    template <class Visit>
-    void for_cells_around(const Point& place, const Point& normal, int level,
-                          const Visit& visit) const;
+    double cells_per_unit(int level) const;
+    Cell around(const Point& place, const Point& normal, int level) const;
 
     mutable std::shared_mutex mutex_;
     double extent_ = 0;  // side of the cells of the first level; 0: nothing has been added
