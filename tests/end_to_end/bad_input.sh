@@ -78,12 +78,18 @@ report $? "Ctrl-C saves the picture and exits with 130"
 
 # A tracer killed while sampling is started again; the picture is the same. That it samples, the log
 # tells: a death before that ends the run.
+samples_after_deaths() {
+    awk -v deaths="$1" '
+    /"event".*again/ { ++died; before = full }
+    match($0, /"full":[0-9]+/) { full = substr($0, RSTART + 7, RLENGTH - 7) + 0 }
+    END { exit !(died + 0 == deaths && full > before + 0) }' log 2>/dev/null
+}
 "$povpreview" +W160 +H120 slow.pov --headless --output whole.png >out 2>err </dev/null
 timeout 120 "$povpreview" +W160 +H120 slow.pov --headless --output mended.png --log log >out 2>err </dev/null &
 pid=$!
 for deaths in 0 1; do
     for _ in $(seq 600); do
-        [ "$(grep -c '"event".*again' log 2>/dev/null)" = $deaths ] && grep -q '"full"' log && break
+        samples_after_deaths $deaths && break
         sleep .1
     done
     pkill -KILL -P "$(pgrep -P $pid)"
