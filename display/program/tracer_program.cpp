@@ -10,7 +10,7 @@ namespace povpreview {
 
 std::string tracer_program() {
     namespace fs = std::filesystem;
-    if (const char* named = std::getenv("POVPREVIEW_TRACER")) return named;
+    if (const char* named = std::getenv("POVPREVIEW_TRACER"); named && *named) return named;
     const fs::path beside = fs::read_symlink("/proc/self/exe").parent_path() / "povpreview-tracer";
     if (!fs::exists(beside))
         throw Error(Exit::usage, "the tracer is not there", beside.string(),

@@ -111,6 +111,11 @@ sleep 1
 [ -n "$tracer" ] && ! grep -qs '^State:.[^ZX]' "/proc/$tracer/status"
 report $? "the tracer dies with the previewer"
 
+# A variable that is set to nothing names no tracer: the one beside the program serves.
+POVPREVIEW_TRACER= "$povpreview" +W64 +H48 good.pov --headless --output own.png >out 2>err
+[ $? -eq 0 ] && [ -s own.png ]
+report $? "an empty POVPREVIEW_TRACER is as good as none"
+
 # No EGL: OSMesa; neither: the packages are named.
 __EGL_VENDOR_LIBRARY_FILENAMES=/nowhere "$povpreview" +W64 +H48 good.pov --headless --output osmesa.png >out 2>err
 [ $? -eq 0 ] && [ -s osmesa.png ]
