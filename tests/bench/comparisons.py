@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """For benches that run `povpreview compare`: where scenes are, and what a comparison found out."""
-import csv, json, math, pathlib, subprocess
+import csv, json, math, os, pathlib, subprocess, sys
 
 EXAMPLES = pathlib.Path("/usr/share/doc/povray/examples")
 METHODS = ["mesh", "blocks", "mosaic", "delaunay", "bicubic"]
@@ -20,13 +20,10 @@ def listed_scenes(file):
 
 
 def compare(povpreview, scene, options, out):
-    """Runs it from the scene's folder, where its own files are, and keeps no pictures. Its exit
-    code and messages."""
+    """Runs it from the scene's folder, where its own files are. Its exit code and messages."""
     ended = subprocess.run([povpreview, "compare", str(scene), "--out", str(out), *options],
                            cwd=scene.parent, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
                            stderr=subprocess.PIPE, text=True)
-    for picture in out.rglob("*.png"):
-        picture.unlink()
     return ended.returncode, ended.stderr
 
 
@@ -44,3 +41,13 @@ def reached(out, level):
     return {r["method"]: math.inf if r["median"] is None else r["median"]
             for r in json.load(open(out / "summary.json"))["reached"]
             if (r["measure"], r["axis"], r["level"]) == ("l1", "time_s", level)}
+
+
+def bench(run, say):
+    """What BENCH POVPREVIEW OUT [options] does: run(povpreview, out, options), unless RESULTS_ONLY is
+    in the environment, and say(out)."""
+    out = pathlib.Path(sys.argv[2]).resolve()
+    out.mkdir(parents=True, exist_ok=True)
+    if not os.environ.get("RESULTS_ONLY"):
+        run(str(pathlib.Path(sys.argv[1]).resolve()), out, sys.argv[3:])
+    say(out)

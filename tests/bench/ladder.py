@@ -11,27 +11,34 @@ took; inf: they did not come to it.
 
 With OUT from an earlier run and RESULTS_ONLY=1 in the environment it only prints.
 """
-import math, os, pathlib, sys
+import math, pathlib, sys
 
-from comparisons import METHODS, compare, first_pictures, listed_scenes, reached
+from comparisons import METHODS, bench, compare, first_pictures, listed_scenes, reached
 
+SCENES = list(listed_scenes(pathlib.Path(__file__).parent / "ladder_scenes.txt"))
 FIRST = 300
 LEVELS = [.05, .02]
 
 
 def run(povpreview, out, options):
-    for scene, own in listed_scenes(pathlib.Path(__file__).parent / "ladder_scenes.txt"):
-        common = ["+W320", "+H240", *own, "--time", "20", *options]
-        compare(povpreview, scene, ["--methods", "mesh", *common], out / scene.stem / "rising")
-        compare(povpreview, scene, ["--methods", ",".join(METHODS), "--accuracy", "target", *common],
-                out / scene.stem / "target")
+    ways = {"rising": ["--methods", "mesh"],
+            "target": ["--methods", ",".join(METHODS), "--accuracy", "target"]}
+    for scene, own in SCENES:
+        for way, its in ways.items():
+            common = ["+W320", "+H240", *own, "--time", "20", *options]
+            code, said = compare(povpreview, scene, [*its, *common], out / scene.stem / way)
+            if code:
+                print(said, end="", file=sys.stderr)
 
 
 def say(out):
     print(f"{'scene':<18}{'until':>6}{'rising':>8} | times as long, target alone"
           f"\n{'':<32} |" + "".join(f"{m:>10}" for m in METHODS))
-    for scene, _ in listed_scenes(pathlib.Path(__file__).parent / "ladder_scenes.txt"):
+    for scene, _ in SCENES:
         rising, target = (out / scene.stem / way for way in ("rising", "target"))
+        if not all((folder / "summary.json").exists() for folder in (rising, target)):
+            print(f"{scene.stem:<18}  failed")
+            continue
         rows = [("first", first_pictures(rising, FIRST), first_pictures(target, FIRST))]
         rows += [(str(level)[1:], reached(rising, level), reached(target, level)) for level in LEVELS]
         for until, mine, its in rows:
@@ -40,12 +47,4 @@ def say(out):
                   "".join(f"{its.get(m, math.inf) / seconds:>10.2f}" for m in METHODS))
 
 
-def main():
-    out = pathlib.Path(sys.argv[2]).resolve()
-    out.mkdir(parents=True, exist_ok=True)
-    if not os.environ.get("RESULTS_ONLY"):
-        run(str(pathlib.Path(sys.argv[1]).resolve()), out, sys.argv[3:])
-    say(out)
-
-
-main()
+bench(run, say)

@@ -10,9 +10,9 @@ quantiles over the others the seconds from the end of the parse to mesh's first 
 error (L1) of .02, and how many times as long each other method took to that, and the best of them;
 and the scenes where mesh is behind that one by more than 5 %.
 """
-import math, os, pathlib, random, sys
+import math, random
 
-from comparisons import EXAMPLES, METHODS, compare, first_pictures, reached
+from comparisons import EXAMPLES, METHODS, bench, compare, first_pictures, reached
 
 LEVEL = .02
 FIRST = 42  # samples of which a first picture is made, as many as are traced in a few milliseconds
@@ -31,6 +31,8 @@ def run(povpreview, out, options):
         code, said = compare(povpreview, scene, ["+W320", "+H240", "--methods", ",".join(METHODS),
                                                  "--time", "3", *options], folder)
         folder.mkdir(exist_ok=True)
+        for picture in folder.rglob("*.png"):
+            picture.unlink()
         # Last, as it says that the scene is done.
         (folder / "messages").write_text(f"{code}\n{said}")
 
@@ -74,12 +76,4 @@ def say(out):
             print(f"  {name}: {ratio:.2f} ({both[name]['mesh'][1]:.3f} s)")
 
 
-def main():
-    out = pathlib.Path(sys.argv[2]).resolve()
-    out.mkdir(parents=True, exist_ok=True)
-    if not os.environ.get("RESULTS_ONLY"):
-        run(str(pathlib.Path(sys.argv[1]).resolve()), out, sys.argv[3:])
-    say(out)
-
-
-main()
+bench(run, say)
