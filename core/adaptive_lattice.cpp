@@ -13,8 +13,8 @@
 namespace povpreview {
 namespace {
 
-/// What a cell promises whose corners are alike, against one between black and white: how far blank
-/// areas are searched for what the samples have missed so far. .001 to .02 serve alike.
+/// What a diamond promises whose corners are alike, against one between black and white: how far
+/// blank areas are searched for what the samples have missed so far.
 constexpr float blank_contrast = .004f;
 
 /// Of the jump between two corners, what counts where their items are known to differ: between them
@@ -24,121 +24,120 @@ constexpr float jump_share = .1f;
 /// What a pixel promises whose item no corner is on: its colour is a guess.
 constexpr float orphan_contrast = .1f;
 
+/// Whether the first of two points is not farther from a third one than the second is.
+bool is_nearer(LatticePoint p, LatticePoint q, LatticePoint at) {
+    const auto distance2 = [&](LatticePoint r) {
+        return (r.x - at.x) * (r.x - at.x) + (r.y - at.y) * (r.y - at.y);
+    };
+    return distance2(p) <= distance2(q);
+}
+
+int last_point(int pixels, int side) { return (std::max(pixels - 1, 1) + side - 1) / side * side; }
+
 }  // namespace
 
-AdaptiveLattice::AdaptiveLattice(const BfSquares& squares, int width, int height)
+AdaptiveLattice::AdaptiveLattice(const BfSquares& squares, int width, int height, int first_side)
     : squares_(squares),
       width_(width),
       height_(height),
+      first_side_(first_side),
+      right_(last_point(width, first_side)),
+      below_(last_point(height, first_side)),
       encoded_(std::make_unique_for_overwrite<glm::vec3[]>(squares.pixels())),
-      leaf_side_(squares.pixels()) {
-    assert(width >= 1 && height >= 1 && width <= UINT16_MAX && height <= UINT16_MAX);
+      states_((std::size_t(right_) + 1) * (std::size_t(below_) + 1), State::open) {
+    assert(width >= 1 && height >= 1 && first_side >= 2 && (first_side & (first_side - 1)) == 0);
     for (Pixel pixel = 0; pixel < squares.pixels(); ++pixel)
         if (squares.has_colour(pixel)) encoded_[pixel] = encode_srgb(squares.colour(pixel));
-    want_first_cells();
+    for (int y = 0; y <= below_; y += first_side)
+        for (int x = 0; x <= right_; x += first_side) ask({x, y});
+    roots_left_ = asked_.size();
 }
 
-Pixel AdaptiveLattice::pixel_at(int x, int y) const {
-    return static_cast<Pixel>(std::min(y, height_ - 1)) * static_cast<Pixel>(width_) +
-           static_cast<Pixel>(std::min(x, width_ - 1));
+LatticePoint AdaptiveLattice::drawn_in(LatticePoint point) const {
+    return {std::min(point.x, width_ - 1), std::min(point.y, height_ - 1)};
 }
 
-AdaptiveLattice::Corners AdaptiveLattice::corners(const Cell& cell) const {
-    const int right = cell.x + cell.side, below = cell.y + cell.side;
-    return {pixel_at(cell.x, cell.y), pixel_at(right, cell.y), pixel_at(cell.x, below),
-            pixel_at(right, below)};
+Pixel AdaptiveLattice::pixel_at(LatticePoint point) const {
+    const auto [x, y] = drawn_in(point);
+    return static_cast<Pixel>(y) * static_cast<Pixel>(width_) + static_cast<Pixel>(x);
 }
 
-template <class Visit>
-void AdaptiveLattice::for_each_quarter(const Cell& cell, const Visit& visit) const {
-    const auto half = static_cast<std::uint16_t>(cell.side / 2);
-    for (const std::uint16_t y : {cell.y, static_cast<std::uint16_t>(cell.y + half)})
-        for (const std::uint16_t x : {cell.x, static_cast<std::uint16_t>(cell.x + half)})
-            if (x < width_ && y < height_) visit(Cell{x, y, half});
+bool AdaptiveLattice::is_root(LatticePoint point) const {
+    return (point.x | point.y) % first_side_ == 0;
 }
 
-/// A cell that was split has left a smaller side at its first pixel.
-template <class Visit>
-void AdaptiveLattice::for_each_leaf(const Cell& cell, const Visit& visit) const {
-    const int side = side_at(pixel_at(cell.x, cell.y));
-    if (side == 0) return;
-    if (side == cell.side) return visit(cell);
-    for_each_quarter(cell, [&](const Cell& quarter) { for_each_leaf(quarter, visit); });
+/// Whether a diamond has more of the image than a border that others have as well.
+bool AdaptiveLattice::is_in(LatticePoint centre) const {
+    if (centre.x < 0 || centre.y < 0 || centre.x > right_ || centre.y > below_) return false;
+    if (is_root(centre)) return true;
+    const int reach = Diamond(centre).reach;
+    return centre.x - reach < std::max(width_ - 1, 1) &&
+           centre.y - reach < std::max(height_ - 1, 1);
 }
 
-template <class Visit>
-void AdaptiveLattice::for_each_leaf(const Visit& visit) const {
-    for (int y = 0; y < height_; y += first_side)
-        for (int x = 0; x < width_; x += first_side)
-            for_each_leaf(
-                {static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y), first_side}, visit);
+AdaptiveLattice::State& AdaptiveLattice::state(LatticePoint point) {
+    return states_[std::size_t(point.y) * (std::size_t(right_) + 1) + std::size_t(point.x)];
+}
+AdaptiveLattice::State AdaptiveLattice::state(LatticePoint point) const {
+    return states_[std::size_t(point.y) * (std::size_t(right_) + 1) + std::size_t(point.x)];
 }
 
-void AdaptiveLattice::want(Pixel pixel) {
-    if (squares_.state(pixel) == BfSquares::State::unsampled) wanted_.push_back(pixel);
-}
-
-void AdaptiveLattice::want_first_cells() {
-    const auto over = [](int end, const auto& visit) {
-        for (int i = 0; i < end - 1; i += first_side) visit(i);
-        visit(end - 1);
-    };
-    over(height_, [&](int y) { over(width_, [&](int x) { want(pixel_at(x, y)); }); });
-    std::reverse(wanted_.begin(), wanted_.end());
-    asking_ = Coming{};
-}
-
-/// The corners that the quarters add; of quarters that are pixels, those alone.
-void AdaptiveLattice::want_quarters(const Cell& cell) {
-    const int half = cell.side / 2, end = half > 1 ? 2 : 1;
-    for (int j = end; j >= 0; --j)
-        for (int i = end; i >= 0; --i) want(pixel_at(cell.x + i * half, cell.y + j * half));
-    leaf_side_[pixel_at(cell.x, cell.y)] |= splitting;
-    asking_ = Coming{cell, 0};
+/// Asks for a point, and before it for those that its diamond's triangles come of.
+void AdaptiveLattice::ask(LatticePoint point) {
+    if (state(point) != State::open) return;
+    if (!is_root(point))
+        for (LatticePoint apex : Diamond(point).apexes())
+            if (is_in(apex)) ask(apex);
+    state(point) = State::asked;
+    asked_.push_back(point);
 }
 
 std::optional<Pixel> AdaptiveLattice::next(const DetailMap* detail) {
     for (;;) {
-        while (!wanted_.empty()) {
-            const Pixel pixel = wanted_.back();
-            wanted_.pop_back();
-            // Points at the border are several corners of the same cell.
-            if (squares_.state(pixel) == BfSquares::State::unsampled) return pixel;
-        }
-        if (asking_) {
-            // Answers come in the order of the requests; those that others asked for are among
-            // them.
-            asking_->complete_after = squares_.requested();
-            coming_.push_back(*asking_);
-            asking_.reset();
+        while (!asked_.empty()) {
+            const LatticePoint point = asked_.front();
+            asked_.pop_front();
+            const Pixel pixel = pixel_at(point);
+            // Others may have asked for it. Answers come in the order of the requests.
+            const bool unsampled = squares_.state(pixel) == BfSquares::State::unsampled;
+            coming_.push_back({point, squares_.requested() + unsampled});
+            if (unsampled) return pixel;
         }
         take_complete(detail);
         if (heap_.empty()) return std::nullopt;
-        const Cell cell = heap_.top().cell;
+        const LatticePoint centre = heap_.top().centre;
         heap_.pop();
-        if (waits(cell)) want_quarters(cell);
+        ask(centre);
     }
 }
 
 void AdaptiveLattice::take_complete(const DetailMap* detail) {
-    const auto take = [&](const Cell& cell) {
-        leaf_side_[pixel_at(cell.x, cell.y)] = static_cast<std::uint8_t>(cell.side);
-        weigh(cell, detail);
-    };
     for (; !coming_.empty() && coming_.front().complete_after <= squares_.answered();
-         coming_.pop_front()) {
-        if (const auto& split = coming_.front().split) {
-            for_each_quarter(*split, take);
-            continue;
-        }
-        for (int y = 0; y < height_; y += first_side)
-            for (int x = 0; x < width_; x += first_side)
-                take({static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y), first_side});
-    }
+         coming_.pop_front())
+        take(coming_.front().point, detail);
 }
 
-void AdaptiveLattice::weigh(const Cell& cell, const DetailMap* detail) {
-    if (cell.side > 1) heap_.push({weight(cell, detail), cell});
+/// A point whose sample has come becomes a corner.
+void AdaptiveLattice::take(LatticePoint corner, const DetailMap* detail) {
+    state(corner) = State::corner;
+    if (is_root(corner)) {
+        if (--roots_left_ > 0) return;
+        return for_each_square([&](LatticePoint centre) { weigh(centre, detail); });
+    }
+    const Diamond halved(corner);
+    if (!halved.has_parts()) return;
+    for (LatticePoint part : halved.parts())
+        if (is_in(part) && state(part) == State::open) weigh(part, detail);
+}
+
+template <class Visit>
+void AdaptiveLattice::for_each_square(const Visit& visit) const {
+    for (int y = first_side_ / 2; y < below_; y += first_side_)
+        for (int x = first_side_ / 2; x < right_; x += first_side_) visit(LatticePoint{x, y});
+}
+
+void AdaptiveLattice::weigh(LatticePoint centre, const DetailMap* detail) {
+    heap_.push({weight(Diamond(centre), detail), centre});
 }
 
 void AdaptiveLattice::accept(Pixel pixel, const RungLight& light) {
@@ -153,52 +152,94 @@ void AdaptiveLattice::accept(Pixel pixel, const RungLight& light) {
     lights_[lights_of_[pixel] - 1] = {light.illumination, light.remainder};
 }
 
-/// Cells that are being split now are not in the heap; their quarters will be.
+/// What is asked for already is in the heap no more, or idle there.
 void AdaptiveLattice::accept_detail(const DetailMap& detail) {
     std::priority_queue<Weighed> heap;
     for (; !heap_.empty(); heap_.pop())
-        if (const Cell& cell = heap_.top().cell; waits(cell))
-            heap.push({weight(cell, &detail), cell});
+        if (const LatticePoint centre = heap_.top().centre; state(centre) == State::open)
+            heap.push({weight(Diamond(centre), &detail), centre});
     heap_ = std::move(heap);
 }
 
-/// What is known changed in the square around the pixel, which lies in one first cell.
+/// What is known changed in the BF-square around the pixel.
 void AdaptiveLattice::accept_doubt(Pixel pixel, const DetailMap& detail) {
-    static_assert(first_side % BfSquares::side == 0);
-    const auto width = static_cast<Pixel>(width_);
-    const auto first = [](Pixel at) {
-        return static_cast<std::uint16_t>(at / first_side * first_side);
-    };
-    for_each_leaf({first(pixel % width), first(pixel / width), first_side}, [&](const Cell& leaf) {
-        if (waits(leaf)) weigh(leaf, &detail);
-    });
+    if (roots_left_ > 0) return;
+    const std::size_t square = squares_.square_of(pixel);
+    std::optional<LatticePoint> last;
+    for (int i = 0; i < BfSquares::side * BfSquares::side; ++i) {
+        const auto changed = squares_.pixel_in(square, i);
+        if (!changed) continue;
+        const auto centre = open_centre_at(*changed);
+        if (centre && centre != last) weigh(*centre, &detail);
+        last = centre;
+    }
 }
 
-/// The error that a cell may be expected to have, summed over its pixels.
-float AdaptiveLattice::weight(const Cell& cell, const DetailMap* detail) const {
-    const Corners c = corners(cell);
-    const int right = std::min(cell.x + cell.side, width_),
-              below = std::min(cell.y + cell.side, height_);
-    const auto area = static_cast<float>((right - cell.x) * (below - cell.y));
-    if (!detail) return (blank_contrast + contrast(c, nullptr)) * area;
+/// Of the diamond around a pixel, if it may still be halved.
+std::optional<LatticePoint> AdaptiveLattice::open_centre_at(Pixel pixel) const {
+    const auto width = static_cast<Pixel>(width_);
+    const LatticePoint at{static_cast<int>(pixel % width), static_cast<int>(pixel / width)};
+    LatticePoint centre{at.x / first_side_ * first_side_ + first_side_ / 2,
+                        at.y / first_side_ * first_side_ + first_side_ / 2};
+    const auto [one, other] = triangles(Diamond(centre));
+    HalvedTriangle triangle = is_nearer(one.apex, other.apex, at) ? one : other;
+    for (;;) {
+        if (!triangle.has_centre()) return std::nullopt;
+        if (state(triangle.centre()) == State::open) return triangle.centre();
+        if (state(triangle.centre()) == State::asked) return std::nullopt;
+        const auto [first, second] = triangle.halves();
+        triangle = is_nearer(triangle.first, triangle.second, at) ? first : second;
+    }
+}
+
+AdaptiveLattice::Corners AdaptiveLattice::corners(const Diamond& diamond) const {
+    Corners corners;
+    for (LatticePoint end : diamond.hypotenuse())
+        corners.pixels[std::size_t(corners.count++)] = pixel_at(end);
+    for (LatticePoint apex : diamond.apexes())
+        if (is_in(apex) && state(apex) == State::corner)
+            corners.pixels[std::size_t(corners.count++)] = pixel_at(apex);
+    return corners;
+}
+
+/// The error that a diamond may be expected to have, summed over its pixels.
+float AdaptiveLattice::weight(const Diamond& diamond, const DetailMap* detail) const {
+    const Corners c = corners(diamond);
+    const auto [x, y] = diamond.centre;
+    const int reach = diamond.reach;
+    const int across = std::min(x + reach, width_) - std::max(x - reach, 0),
+              down = std::min(y + reach, height_) - std::max(y - reach, 0);
+    // One that stands on a corner fills half of its box.
+    const float area =
+        float(across) * float(down) * (diamond.square ? 1.f : .5f) * (c.count == 4 ? 1.f : .5f);
+    const float expected = (blank_contrast + contrast(c.all(), detail)) * area;
+    return detail ? expected + orphan_contrast * float(orphans(diamond, c, *detail)) : expected;
+}
+
+/// Pixels in a diamond whose item none of its corners is on.
+int AdaptiveLattice::orphans(const Diamond& diamond, const Corners& corners,
+                             const DetailMap& detail) const {
     std::array<std::uint32_t, 4> items;
-    for (std::size_t i = 0; i < c.size(); ++i) items[i] = detail->item(c[i]);
+    items.fill(DetailMap::unknown);
+    std::transform(corners.pixels.begin(), corners.pixels.begin() + corners.count, items.begin(),
+                   [&](Pixel pixel) { return detail.item(pixel); });
+    const auto [x, y] = diamond.centre;
     int orphans = 0;
-    for (int y = cell.y; y < below; ++y) {
-        const Pixel row = pixel_at(0, y);
-        for (int x = cell.x; x < right; ++x) {
-            const std::uint32_t item = detail->item(row + static_cast<Pixel>(x));
+    for (int j = std::max(y - diamond.reach, 0); j < std::min(y + diamond.reach, height_); ++j) {
+        const int half = diamond.square ? diamond.reach : diamond.reach - std::abs(j - y);
+        const Pixel row = pixel_at({0, j});
+        for (int i = std::max(x - half, 0); i < std::min(x + half, width_); ++i) {
+            const std::uint32_t item = detail.item(row + static_cast<Pixel>(i));
             orphans += item != DetailMap::unknown && item != items[0] && item != items[1] &&
                        item != items[2] && item != items[3];
         }
     }
-    return (blank_contrast + contrast(c, detail)) * area +
-           orphan_contrast * static_cast<float>(orphans);
+    return orphans;
 }
 
 /// The most by which two corners differ, as displayed. Where the texture is known, only the light
 /// is to be found out.
-float AdaptiveLattice::contrast(const Corners& c, const DetailMap* detail) const {
+float AdaptiveLattice::contrast(std::span<const Pixel> c, const DetailMap* detail) const {
     std::array<std::optional<glm::vec3>, 4> lights;
     if (detail && !lights_of_.empty())
         for (std::size_t i = 0; i < c.size(); ++i)
@@ -228,15 +269,29 @@ float AdaptiveLattice::jump(Pixel p, Pixel q) const {
     return colour_distance(shown(encoded_[p]), shown(encoded_[q]));
 }
 
+/// Calls visit with the path to each triangle that is not halved, of those at the path's end.
+template <class Visit>
+void AdaptiveLattice::for_each_leaf(Path& path, const Visit& visit) const {
+    const HalvedTriangle triangle = path.back();
+    if (!triangle.has_centre() || state(triangle.centre()) != State::corner) return visit();
+    for (const HalvedTriangle& half : triangle.halves()) {
+        path.push_back(half);
+        for_each_leaf(path, visit);
+        path.pop_back();
+    }
+}
+
 void AdaptiveLattice::draw(Picture& picture, const DetailMap* detail,
                            std::span<const Pixel> anchors) const {
-    for_each_leaf([&](const Cell& cell) {
-        for (int y = cell.y; y < std::min(cell.y + cell.side, height_); ++y)
-            for (int x = cell.x; x < std::min(cell.x + cell.side, width_); ++x)
-                if (const Pixel pixel = pixel_at(x, y); squares_.has_colour(pixel))
-                    picture.known[pixel] = 1;
-                else
-                    draw(cell, x, y, detail, anchors, picture);
+    if (roots_left_ > 0) return;
+    for (Pixel pixel = 0; pixel < squares_.pixels(); ++pixel)
+        if (squares_.has_colour(pixel)) picture.known[pixel] = 1;
+    Path path;
+    for_each_square([&](LatticePoint centre) {
+        for (const HalvedTriangle& triangle : triangles(Diamond(centre))) {
+            path.assign(1, triangle);
+            for_each_leaf(path, [&] { draw(path, detail, anchors, picture); });
+        }
     });
 }
 
@@ -271,37 +326,37 @@ bool AdaptiveLattice::mix_light(std::span<const Part> parts, const glm::vec3& al
 
 namespace {
 
-/// Where a pixel lies between two corners of a cell, 0 to 1.
-float between(int at, int first, int side, int end) {
-    const int last = std::min(first + side, end - 1);
-    return last > first ? static_cast<float>(at - first) / static_cast<float>(last - first) : 0;
+/// Twice the area of a triangle, signed.
+int area2(LatticePoint a, LatticePoint b, LatticePoint c) {
+    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-std::array<float, 4> bilinear(float u, float v) {
-    return {(1 - u) * (1 - v), u * (1 - v), (1 - u) * v, u * v};
+/// How much a point in a triangle has of each corner, times the triangle's area.
+std::array<int, 3> shares_of(LatticePoint a, LatticePoint b, LatticePoint c, LatticePoint p) {
+    const int sign = area2(a, b, c) < 0 ? -1 : 1;
+    return {sign * area2(p, b, c), sign * area2(a, p, c), sign * area2(a, b, p)};
 }
 
 }  // namespace
 
-/// A cell's corners, by how much a pixel in it, or beyond its end, takes from each.
-AdaptiveLattice::Parts4 AdaptiveLattice::parts(const Cell& cell, int x, int y) const {
-    const Corners c = corners(cell);
-    const auto share =
-        bilinear(between(x, cell.x, cell.side, width_), between(y, cell.y, cell.side, height_));
-    return {Part{c[0], share[0]}, Part{c[1], share[1]}, Part{c[2], share[2]}, Part{c[3], share[3]}};
+/// A triangle's corners, by how much a pixel in it takes from each.
+AdaptiveLattice::Parts3 AdaptiveLattice::parts(const HalvedTriangle& t, int x, int y) const {
+    const LatticePoint a = drawn_in(t.apex), b = drawn_in(t.first), c = drawn_in(t.second);
+    // Drawn in, a triangle may have no area, or miss pixels that it has had.
+    const auto shares = area2(a, b, c) != 0 ? shares_of(a, b, c, {x, y})
+                                            : shares_of(t.apex, t.first, t.second, {x, y});
+    return {Part{pixel_at(t.apex), float(shares[0])}, Part{pixel_at(t.first), float(shares[1])},
+            Part{pixel_at(t.second), float(shares[2])}};
 }
 
-/// What stands for a pixel of an item: the corners on it; where none is, those of the larger cells
-/// around, and then the item's anchor.
-std::optional<AdaptiveLattice::Parts4> AdaptiveLattice::parts_on(
-    std::uint32_t item, const Cell& cell, int x, int y, const DetailMap& detail,
+/// What stands for a pixel of an item: the corners on it; where none is, those of the larger
+/// triangles around, and then the item's anchor.
+std::optional<AdaptiveLattice::Parts3> AdaptiveLattice::parts_on(
+    std::uint32_t item, const Path& path, int x, int y, const DetailMap& detail,
     std::span<const Pixel> anchors) const {
     if (item == DetailMap::unknown) return std::nullopt;
-    for (int side = cell.side; side <= first_side; side *= 2) {
-        Parts4 result =
-            parts({static_cast<std::uint16_t>(x / side * side),
-                   static_cast<std::uint16_t>(y / side * side), static_cast<std::uint16_t>(side)},
-                  x, y);
+    for (auto triangle = path.rbegin(); triangle != path.rend(); ++triangle) {
+        Parts3 result = parts(*triangle, x, y);
         bool any = false;
         for (Part& part : result) {
             const bool on = detail.item(part.pixel) == item && squares_.has_colour(part.pixel);
@@ -313,21 +368,51 @@ std::optional<AdaptiveLattice::Parts4> AdaptiveLattice::parts_on(
     }
     if (item >= anchors.size() || anchors[item] == no_anchor || !squares_.has_colour(anchors[item]))
         return std::nullopt;
-    return Parts4{
-        Part{anchors[item], 1}, {anchors[item], 0}, {anchors[item], 0}, {anchors[item], 0}};
+    return Parts3{Part{anchors[item], 1}, {anchors[item], 0}, {anchors[item], 0}};
+}
+
+/// The other diagonal of the diamond that a triangle is half of, if colours jump less along it: an
+/// edge in the image runs that way, and triangles along it smear less of it.
+std::optional<LatticePoint> AdaptiveLattice::better_diagonal(const HalvedTriangle& t) const {
+    if (!t.has_centre()) return std::nullopt;
+    const LatticePoint opposite{t.first.x + t.second.x - t.apex.x,
+                                t.first.y + t.second.y - t.apex.y};
+    if (!is_in(opposite) || state(opposite) != State::corner) return std::nullopt;
+    if (jump(pixel_at(t.apex), pixel_at(opposite)) >= jump(pixel_at(t.first), pixel_at(t.second)))
+        return std::nullopt;
+    return opposite;
+}
+
+/// Draws the pixels of the triangle at the end of a path that are not known.
+void AdaptiveLattice::draw(Path& path, const DetailMap* detail, std::span<const Pixel> anchors,
+                           Picture& picture) const {
+    const auto [a, b, c] = path.back();
+    const auto opposite = better_diagonal(path.back());
+    if (opposite) path.push_back({});
+    const auto [left, right] = std::minmax({a.x, b.x, c.x});
+    const auto [top, bottom] = std::minmax({a.y, b.y, c.y});
+    for (int y = top; y <= std::min(bottom, height_ - 1); ++y)
+        for (int x = left; x <= std::min(right, width_ - 1); ++x) {
+            if (squares_.has_colour(pixel_at({x, y}))) continue;
+            const auto shares = shares_of(a, b, c, {x, y});
+            if (shares[0] < 0 || shares[1] < 0 || shares[2] < 0) continue;
+            if (opposite) path.back() = {shares[1] >= shares[2] ? b : c, a, *opposite};
+            draw(path, x, y, detail, anchors, picture);
+        }
+    if (opposite) path.pop_back();
 }
 
 /// Draws a pixel that is not known, if anything around it is.
-void AdaptiveLattice::draw(const Cell& cell, int x, int y, const DetailMap* detail,
+void AdaptiveLattice::draw(const Path& path, int x, int y, const DetailMap* detail,
                            std::span<const Pixel> anchors, Picture& picture) const {
-    const Pixel pixel = pixel_at(x, y);
+    const Pixel pixel = pixel_at({x, y});
     const auto on_item =
-        detail ? parts_on(detail->item(pixel), cell, x, y, *detail, anchors) : std::nullopt;
+        detail ? parts_on(detail->item(pixel), path, x, y, *detail, anchors) : std::nullopt;
     glm::vec3 colour;
     if (on_item && detail->albedo_state(pixel) == DetailMap::Albedo::known &&
         mix_light(*on_item, detail->albedo(pixel), colour)) {
         picture.pixels[pixel] = colour;
-    } else if (mix(on_item ? *on_item : parts(cell, x, y), colour)) {
+    } else if (mix(on_item ? *on_item : parts(path.back(), x, y), colour)) {
         picture.pixels[pixel] = decode_quickly(colour);
     } else {
         return;

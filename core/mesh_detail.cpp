@@ -111,10 +111,13 @@ Parts MeshPreviewer::lattice_parts() const {
     return textures_drawn_ ? Parts::surface | Parts::shading : Parts::surface;
 }
 
-/// Among the first samples every some albedo rays, so that their cost is known as well.
+/// Some albedo rays, so that their cost is known as well; after the early samples, which make the
+/// first picture.
 std::optional<Request> MeshPreviewer::next_trial() {
     constexpr std::size_t full_to_a_trial = 8;
-    if (!options_.detail || trials_ * full_to_a_trial >= grid_asked_) return std::nullopt;
+    if (!options_.detail || grid_asked_ < early_samples_ ||
+        trials_ * full_to_a_trial >= grid_asked_)
+        return std::nullopt;
     const Pixel pixel = grid_[trials_++ * full_to_a_trial];
     pending_.push_back({Pending::Use::albedo, pixel});
     return Request{squares_.centre(pixel), RayKind::albedo};
@@ -146,7 +149,8 @@ std::optional<Request> MeshPreviewer::next_albedo() {
 }
 
 void MeshPreviewer::accept_albedo(Pixel pixel, const Sample& sample) {
-    if (!cost_known()) {  // a trial, of a pixel that gets a full sample as well
+    // A trial, of a pixel that gets a full sample as well. They come before all others.
+    if (trial_costs_.size() < trials_) {
         trial_costs_.push_back(options_.by_cost ? sample.cost_ns : 0);
         return;
     }

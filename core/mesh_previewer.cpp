@@ -82,32 +82,52 @@ Parts MeshPreviewer::parts() const {
 
 /// A regular grid from border to border, asked for in levels from coarse to fine, so that even its
 /// first answers are spread over the image.
-std::vector<Pixel> MeshPreviewer::first_grid() const {
-    const double cell = std::max(2., options_.grid_cell * std::max(width_, height_));
-    const int columns = std::max(1, static_cast<int>(std::lround(width_ / cell)));
-    const int rows = std::max(1, static_cast<int>(std::lround(height_ / cell)));
-    const auto pixel = [](int i, int cells, int pixels) { return i * (pixels - 1) / cells; };
+std::vector<Pixel> MeshPreviewer::first_grid() {
+    const std::vector<int> columns = grid_lines(width_), rows = grid_lines(height_);
     std::vector<Pixel> grid;
     std::vector<bool> taken(squares_.pixels());
-    int step = 1;
-    while (step < std::max(columns, rows)) step *= 2;
-    for (; step >= 1; step /= 2)
-        for (int j = 0; j <= rows; ++j)
-            for (int i = 0; i <= columns; ++i) {
-                if ((i % step && i != columns) || (j % step && j != rows)) continue;
-                const auto p = static_cast<Pixel>(pixel(j, rows, height_) * width_ +
-                                                  pixel(i, columns, width_));
+    std::size_t step = 1;
+    while (step < std::max(columns.size(), rows.size())) step *= 2;
+    for (; step >= 1; step /= 2) {
+        early_samples_ = grid.size();
+        for (std::size_t j = 0; j < rows.size(); ++j)
+            for (std::size_t i = 0; i < columns.size(); ++i) {
+                if ((i % step && i + 1 != columns.size()) || (j % step && j + 1 != rows.size()))
+                    continue;
+                const auto p = static_cast<Pixel>(rows[j] * width_ + columns[i]);
                 if (!taken[p]) grid.push_back(p);
                 taken[p] = true;
             }
+    }
     return grid;
+}
+
+/// Where the grid's lines are along one side of the image. Should the lattice take over, its first
+/// squares have their corners on every other of them.
+std::vector<int> MeshPreviewer::grid_lines(int pixels) const {
+    const double cell = std::max(2., options_.grid_cell * std::max(width_, height_));
+    std::vector<int> lines;
+    if (options_.lattice) {
+        for (int at = 0; at < pixels - 1; at += lattice_side() / 2) lines.push_back(at);
+        lines.push_back(pixels - 1);
+        return lines;
+    }
+    const int cells = std::max(1, static_cast<int>(std::lround(pixels / cell)));
+    for (int i = 0; i <= cells; ++i) lines.push_back(i * (pixels - 1) / cells);
+    return lines;
+}
+
+/// Of the lattice's first squares, pixels: twice a cell of the grid, as powers of two go.
+int MeshPreviewer::lattice_side() const {
+    const double cell = options_.grid_cell * std::max(width_, height_);
+    return 2 << std::max(1l, std::lround(std::log2(std::max(cell, 1.))));
 }
 
 /// The first samples tell what the rest will cost.
 void MeshPreviewer::learn_cost(const Sample& sample) {
     if (cost_known()) return;
     grid_costs_.push_back(options_.by_cost ? sample.cost_ns : 0);
-    if (grid_costs_.size() == early_samples() && seem_cheap()) {
+    if (grid_costs_.size() == early_samples_ && seem_cheap()) {
         grid_.resize(grid_asked_);  // the lattice has samples of its own
         start_lattice();
     }
@@ -126,10 +146,6 @@ void MeshPreviewer::learn_cost(const Sample& sample) {
 bool MeshPreviewer::is_dense(std::size_t square) const {
     return squares_.count(square) > options_.dense * squares_.area(square);
 }
-
-/// So many of the first samples tell whether vertices are worth the time that would be spent on
-/// them until all have come.
-std::size_t MeshPreviewer::early_samples() const { return (grid_.size() + 3) / 4; }
 
 bool MeshPreviewer::seem_cheap() const {
     return options_.lattice && !lattice_ && !climb_.has_rungs() &&
@@ -156,11 +172,11 @@ std::optional<Request> MeshPreviewer::request(Pending pending) {
 std::optional<Request> MeshPreviewer::next() {
     insert_chains();
     if (grid_asked_ < grid_.size()) {
+        if (auto albedo = next_trial()) return albedo;
         // If samples are cheap, waiting costs nothing.
-        if (options_.lattice && options_.by_cost && grid_asked_ == early_samples() &&
+        if (options_.lattice && options_.by_cost && grid_asked_ == early_samples_ &&
             grid_costs_.size() < grid_asked_ && (grid_costs_.empty() || seem_cheap()))
             return std::nullopt;
-        if (auto albedo = next_trial()) return albedo;
         return request({Pending::Use::vertex, grid_[grid_asked_++], recent_});
     }
     if (lattice_) return next_in_lattice();
@@ -418,7 +434,7 @@ void MeshPreviewer::start_lattice() {
     chains_ = {};
     retries_.clear();
     albedo_fetch_.clear();
-    lattice_.emplace(squares_, width_, height_);
+    lattice_.emplace(squares_, width_, height_, lattice_side());
     if (detail_) lattice_->accept_detail(*detail_);
 }
 

@@ -122,9 +122,10 @@ class MeshPreviewer : public Previewer {
     Stage rising_stage() const;
     double vertex_share() const;
 
-    std::vector<Pixel> first_grid() const;
+    std::vector<Pixel> first_grid();
+    std::vector<int> grid_lines(int pixels) const;
+    int lattice_side() const;
     void learn_cost(const Sample& sample);
-    std::size_t early_samples() const;
     bool seem_cheap() const;
     bool cost_known() const { return grid_costs_.size() == grid_.size(); }
     bool is_dense(std::size_t square) const;
@@ -221,7 +222,10 @@ class MeshPreviewer : public Previewer {
     Mesh mesh_;
     RefinementHeap heap_;
     std::deque<Pending> pending_;  // answers come in this order
-    std::vector<Pixel> grid_;      // first samples, in order
+    /// So many of the first samples tell whether vertices are worth the time that would be spent on
+    /// them until all have come.
+    std::size_t early_samples_ = 0;
+    std::vector<Pixel> grid_;  // first samples, in order
     std::size_t grid_asked_ = 0;
     std::size_t vertices_pending_ = 0;     // answers outstanding that may bring new edges
     std::deque<Pending> retries_;          // one-sided samples to ask for again

@@ -38,6 +38,11 @@ void Session::choose() {
         const auto request = previewer_.next();
         if (!request) return;
         if (request->kind == RayKind::full) ++full_asked_;
+        // Those that it wanted when it asked, however late they are submitted.
+        if (const Parts parts = previewer_.parts(); parts != parts_) {
+            submit();
+            parts_ = parts;
+        }
         requests_.push_back(*request);
         ++outstanding_;
     }
@@ -45,7 +50,7 @@ void Session::choose() {
 
 void Session::submit() {
     if (requests_.empty()) return;
-    oracle_.submit(requests_, previewer_.parts());
+    oracle_.submit(requests_, parts_);
     requests_.clear();
 }
 

@@ -57,7 +57,8 @@ class Session {
     std::size_t full_asked_ = 0, accepted_ = 0, outstanding_ = 0;
     Counts counts_;
     Clock::duration own_{};
-    std::vector<Request> requests_;
+    std::vector<Request> requests_;  // chosen and not yet submitted
+    Parts parts_{};                  // of those
     std::vector<Sample> answers_;
 };
 
