@@ -2,21 +2,36 @@
 #include "core/detail/curved_items.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
+#include <cstring>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <numeric>
+#include <optional>
 #include <span>
 
+#include "core/detail/row_bands.h"
 #include "core/detail/solid_rays.h"
 
 namespace povpreview {
 
 namespace {
 
-/// What an object may take: roots and values of solids, each for ray_lanes rays and so some twenty
-/// nanoseconds.
-constexpr std::size_t most_work = 5'000'000;
+/// Rows that are drawn in one go.
+constexpr int band_rows = 64;
+
+/// What drawing may take: roots and values of solids, each for ray_lanes rays and so some ten to
+/// twenty nanoseconds. An object for each pixel of its box, and all objects for each pixel of the
+/// picture, or in all if the picture is small; what would take more is left unknown, the dearest
+/// first. An object that certainly takes less than the last figure need not be tried out.
+constexpr double most_of_object = 112, most_of_all = 128;
+constexpr double most_of_object_in_all = 5e6, most_in_all = 2e7;
+constexpr double certainly_little = 4;
+
+/// Rows of an object that are drawn to try out what it takes.
+constexpr int rows_tried = 5;
 
 /// A point with |f| within this may lie on either side of a solid, since rounding decides, ours or
 /// the ray tracer's (POV-Ray's own tolerances are of this order). A half space has no size of its
@@ -35,26 +50,66 @@ struct Verdict {
     Mask sure = all_lanes, possible = all_lanes;
 };
 
+/// The truth values of all lanes, 0 or 1 each.
+using Flags = std::array<std::uint8_t, ray_lanes>;
+
+/// Eight of them at a time: the product has the sum of those shifted to each place in its top byte.
+Mask mask_of(const Flags& flags) {
+    static_assert(ray_lanes == 16 && std::endian::native == std::endian::little);
+    std::uint64_t halves[2];
+    std::memcpy(halves, flags.data(), sizeof halves);
+    constexpr std::uint64_t gather = 0x0102040810204080;
+    return static_cast<Mask>(halves[0] * gather >> 56 | halves[1] * gather >> 56 << 8);
+}
+
 /// `t`: of the points that have the values. `unit`: what their distance from the eye is by it, in
 /// units of the values; 0 where these have a size of their own.
 POVPREVIEW_WIDE_VECTORS
-Verdict inside(const RayLanes& values, const RayLanes& t, double unit) {
-    Verdict verdict{0, 0};
+void find_inside(const RayLanes& __restrict values, const RayLanes& __restrict t, double unit,
+                 Flags& __restrict sure, Flags& __restrict possible) {
     for (int i = 0; i < ray_lanes; ++i) {
         const double slack = unit > 0 ? doubt * unit * std::abs(t[i]) : doubt;
-        verdict.sure |= Mask(values[i] < -slack) << i;
-        verdict.possible |= Mask(values[i] <= slack) << i;
+        sure[i] = values[i] < -slack;
+        possible[i] = values[i] <= slack;
     }
-    return verdict;
+}
+Verdict inside(const RayLanes& values, const RayLanes& t, double unit) {
+    Flags sure, possible;
+    find_inside(values, t, unit, sure, possible);
+    return {mask_of(sure), mask_of(possible)};
 }
 
 /// Those that are no farther, but for what ItemCanvas::draw() has to hear of as a tie.
 POVPREVIEW_WIDE_VECTORS
-Mask nearer(const RayLanes& nearness, const double* than) {
-    Mask mask = 0;
+void find_nearer(const RayLanes& __restrict nearness, const RayLanes& __restrict than,
+                 Flags& __restrict flags) {
     for (int i = 0; i < ray_lanes; ++i)
-        mask |= Mask(nearness[i] >= than[i] - ItemCanvas::coincidence * std::abs(than[i])) << i;
-    return mask;
+        flags[i] = nearness[i] >= than[i] - ItemCanvas::coincidence * std::abs(than[i]);
+}
+
+/// One of the solids that a point must all be inside of, or not, for a condition to hold.
+struct Literal {
+    std::int32_t slot;
+    bool inside;
+};
+
+/// A condition as such a list, if it can be written as one: most can.
+std::optional<std::vector<Literal>> conjunction(const std::vector<ConditionStep>& steps) {
+    std::vector<std::vector<Literal>> stack;
+    for (ConditionStep step : steps) {
+        if (step >= 0) {
+            stack.push_back({{step, true}});
+        } else if (step == condition_not && stack.back().size() == 1) {
+            stack.back()[0].inside = !stack.back()[0].inside;
+        } else if (step == condition_and) {
+            const std::vector<Literal> last = std::move(stack.back());
+            stack.pop_back();
+            stack.back().insert(stack.back().end(), last.begin(), last.end());
+        } else {
+            return std::nullopt;
+        }
+    }
+    return stack.empty() ? std::vector<Literal>{} : stack.front();
 }
 
 /// What z in a solid's frame is by distance in the world.
@@ -79,6 +134,7 @@ class CurvedDrawing {
             steps_.emplace_back();
             for (ConditionStep step : steps(piece))
                 steps_.back().push_back(step < 0 ? step : slot(static_cast<std::uint32_t>(step)));
+            conjunctions_.push_back(conjunction(steps_.back()));
         }
         rows_.resize(solids_.size());
         units_.resize(solids_.size());
@@ -88,13 +144,20 @@ class CurvedDrawing {
         }
     }
 
-    /// False when it took too long: then the object is not drawn to its end.
-    bool draw(const PixelBox& box, const std::atomic<bool>& stop) {
-        for (int y = box.top; y < box.bottom && !stop; ++y) {
-            draw_row(y, box.left, box.right);
-            if (work_ > most_work) return false;
-        }
-        return true;
+    void draw(const PixelBox& box, const std::atomic<bool>& stop) {
+        for (int y = box.top; y < box.bottom && !stop; ++y) draw_row(y, box.left, box.right);
+    }
+
+    /// What that will take, for each of its pixels.
+    double work_a_pixel(const PixelBox& box) {
+        if (const double most = most_work_a_block() / ray_lanes; most <= certainly_little)
+            return most;
+        // They are drawn again later, which changes nothing.
+        const int rows = std::min(rows_tried, box.bottom - box.top);
+        for (int i = 0; i < rows; ++i)
+            draw_row(box.top + (2 * i + 1) * (box.bottom - box.top) / (2 * rows), box.left,
+                     box.right);
+        return double(work_) / (double(rows) * double(box.right - box.left));
     }
 
    private:
@@ -117,20 +180,43 @@ class CurvedDrawing {
         return std::span(scene_.conditions).subspan(piece.first_condition, piece.conditions);
     }
 
+    /// Each root of each piece might have to be tried by all of its condition.
+    double most_work_a_block() const {
+        const auto cost = [&](std::int32_t slot) {
+            const IntricateSolid* intricate = intricate_[std::size_t(slot)].get();
+            return double(intricate ? intricate->cost() : 1);
+        };
+        constexpr double roots = 2;
+        double sum = 0;
+        for (std::size_t p = 0; p < steps_.size(); ++p) {
+            sum += cost(piece_slots_[p]);
+            for (ConditionStep step : steps_[p])
+                if (step >= 0) sum += roots * cost(step);
+        }
+        return sum;
+    }
+
     void draw_block(int x, int y, int count) {
         for (int i = 0; i < ray_lanes; ++i) x_[i] = x + i + .5;
         const std::size_t first = canvas_.index(x, y);
         const Mask within = all_lanes >> (ray_lanes - count);
+        RayLanes before{};
+        std::copy_n(canvas_.nearness_from(first), count, before.begin());
+        Flags is_nearer;
         for (std::uint32_t p = 0; p < object_.pieces; ++p) {
             const auto slot = static_cast<std::size_t>(piece_slots_[p]);
             // After a mirror the nearest may lie before it.
             find_roots_of(slot, steps_[p].empty() && !rays_.after_mirror);
             for (const RayLanes& roots : roots_) {
                 find_nearness(rays_.orthographic, roots, nearness_);
-                const Mask seen = within & nearer(nearness_, canvas_.nearness_from(first));
+                find_nearer(nearness_, before, is_nearer);
+                const Mask seen = within & mask_of(is_nearer);
                 if (seen == 0) continue;
-                const Verdict verdict = holds(steps_[p], roots, seen);
+                const Verdict verdict = conjunctions_[p] ? all_hold(*conjunctions_[p], roots, seen)
+                                                         : holds(steps_[p], roots, seen);
+                if ((seen & verdict.possible) == 0) continue;
                 draw_lanes(first, seen, verdict, ItemCanvas::piece_bit | (object_.first_piece + p));
+                std::copy_n(canvas_.nearness_from(first), count, before.begin());
             }
         }
     }
@@ -165,7 +251,24 @@ class CurvedDrawing {
         }
     }
 
-    /// For the lanes asked for; of others anything may be said.
+    /// For the lanes asked for; of others anything may be said. What rules all of them out is asked
+    /// sooner from then on: it will do so for most of their neighbours.
+    Verdict all_hold(std::vector<Literal>& literals, const RayLanes& t, Mask lanes) {
+        Verdict all{lanes, lanes};
+        for (std::size_t i = 0; i < literals.size(); ++i) {
+            const auto slot = static_cast<std::size_t>(literals[i].slot);
+            find_values_of(slot, t, all.possible);
+            const Verdict in = inside(values_, t, units_[slot]);
+            all.sure &= literals[i].inside ? in.sure : ~in.possible;
+            all.possible &= literals[i].inside ? in.possible : ~in.sure;
+            if (all.possible != 0) continue;
+            std::swap(literals[i], literals[i / 2]);
+            break;
+        }
+        return all;
+    }
+
+    /// The same of any condition.
     Verdict holds(const std::vector<ConditionStep>& condition, const RayLanes& t, Mask lanes) {
         Verdict stack[stack_depth];  // without a condition: everywhere
         std::size_t top = 0;
@@ -202,9 +305,10 @@ class CurvedDrawing {
     std::vector<std::uint32_t> solids_;              // that it needs; a slot is a place among them
     std::vector<std::int32_t> piece_slots_;          // by piece
     std::vector<std::vector<ConditionStep>> steps_;  // of each piece, with slots for solids
-    std::vector<std::unique_ptr<IntricateSolid>> intricate_;  // by slot; null for the others
-    std::vector<RowRays> rows_;                               // by slot
-    std::vector<double> units_;                               // by slot, see inside()
+    std::vector<std::optional<std::vector<Literal>>> conjunctions_;  // the same, where they are so
+    std::vector<std::unique_ptr<IntricateSolid>> intricate_;         // by slot; null for the others
+    std::vector<RowRays> rows_;                                      // by slot
+    std::vector<double> units_;                                      // by slot, see inside()
     RowRays in_world_;
     RayLanes x_{}, values_{}, nearness_{};
     std::vector<RayLanes> roots_;
@@ -277,11 +381,18 @@ void hide_behind(const Bounds& box, const PixelRays& rays, ItemCanvas& canvas) {
         }
 }
 
-}  // namespace
+/// An object to be drawn, and the pixels that may show it.
+struct Drawn {
+    const CurvedObject* object;
+    PixelBox box;
+    double work;  ///< for each of those
+    double pixels() const { return double(box.right - box.left) * double(box.bottom - box.top); }
+};
 
-void draw_curved(const DrawableScene& scene, const PixelRays& rays, ItemCanvas& canvas,
-                 const std::atomic<bool>& stop) {
-    std::vector<Bounds> unknown = scene.unknown;
+/// The objects that are worth drawing, in their order; those that are not are put to the unknown.
+std::vector<Drawn> choose(const DrawableScene& scene, const PixelRays& rays, ItemCanvas& canvas,
+                          std::vector<Bounds>& unknown) {
+    std::vector<Drawn> objects;
     for (const CurvedObject& object : scene.objects) {
         if (!sound(scene, object)) {
             unknown.push_back(object.bounds);
@@ -289,14 +400,48 @@ void draw_curved(const DrawableScene& scene, const PixelRays& rays, ItemCanvas& 
         }
         const PixelBox box = common_box(
             pixel_box(rays, object.bounds, canvas.width(), canvas.height()), canvas.area());
-        if (!CurvedDrawing(scene, object, rays, canvas).draw(box, stop))
-            unknown.push_back(object.bounds);
+        if (box.top >= box.bottom || box.left >= box.right) continue;
+        objects.push_back(
+            {&object, box, CurvedDrawing(scene, object, rays, canvas).work_a_pixel(box)});
     }
+    std::vector<std::size_t> cheapest_first(objects.size());
+    std::iota(cheapest_first.begin(), cheapest_first.end(), std::size_t{0});
+    std::stable_sort(cheapest_first.begin(), cheapest_first.end(),
+                     [&](auto i, auto j) { return objects[i].work < objects[j].work; });
+    double left =
+        std::max(most_in_all, most_of_all * double(canvas.width()) * double(canvas.height()));
+    for (std::size_t i : cheapest_first) {
+        Drawn& drawn = objects[i];
+        const double work = drawn.work * drawn.pixels();
+        if ((drawn.work <= most_of_object || work <= most_of_object_in_all) && work <= left) {
+            left -= work;
+            continue;
+        }
+        unknown.push_back(drawn.object->bounds);
+        drawn.object = nullptr;
+    }
+    std::erase_if(objects, [](const Drawn& drawn) { return drawn.object == nullptr; });
+    return objects;
+}
+
+}  // namespace
+
+void draw_curved(const DrawableScene& scene, const PixelRays& rays, ItemCanvas& canvas,
+                 const std::atomic<bool>& stop) {
+    std::vector<Bounds> unknown = scene.unknown;
     if (rays.after_mirror)
         unknown.insert(unknown.end(), scene.unknown_in_mirrors.begin(),
                        scene.unknown_in_mirrors.end());
-    for (const Bounds& box : unknown)
-        if (!stop) hide_behind(box, rays, canvas);
+    const std::vector<Drawn> objects = choose(scene, rays, canvas, unknown);
+    draw_bands(canvas, band_rows, [&](ItemCanvas& band) {
+        for (const Drawn& drawn : objects) {
+            const PixelBox box = common_box(drawn.box, band.area());
+            if (box.top < box.bottom)
+                CurvedDrawing(scene, *drawn.object, rays, band).draw(box, stop);
+        }
+        for (const Bounds& box : unknown)
+            if (!stop) hide_behind(box, rays, band);
+    });
 }
 
 }  // namespace povpreview

@@ -7,6 +7,8 @@
 #include <limits>
 #include <optional>
 
+#include "core/detail/row_bands.h"
+
 namespace povpreview {
 
 namespace {
@@ -78,10 +80,8 @@ void draw_polygon(const std::vector<glm::dvec2>& corners, const Nearness& plane,
     }
 }
 
-}  // namespace
-
-void draw_faces(const PolygonScene& scene, const PixelRays& rays, ItemCanvas& canvas,
-                const std::atomic<bool>& stop) {
+void draw_in_band(const PolygonScene& scene, const PixelRays& rays, ItemCanvas& canvas,
+                  const std::atomic<bool>& stop) {
     std::vector<Projected> clipped;
     std::vector<glm::dvec2> corners;
     for (std::size_t f = 0; f < scene.faces.size() && !stop; ++f) {
@@ -103,6 +103,15 @@ void draw_faces(const PolygonScene& scene, const PixelRays& rays, ItemCanvas& ca
         }
         if (sound) draw_polygon(corners, *plane, static_cast<ItemCanvas::Source>(f), canvas);
     }
+}
+
+}  // namespace
+
+void draw_faces(const PolygonScene& scene, const PixelRays& rays, ItemCanvas& canvas,
+                const std::atomic<bool>& stop) {
+    const PixelBox& area = canvas.area();
+    draw_bands(canvas, rows_for_threads(area.bottom - area.top),
+               [&](ItemCanvas& band) { draw_in_band(scene, rays, band, stop); });
 }
 
 }  // namespace povpreview

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "core/detail/item_painter.h"
 
+#include <algorithm>
 #include <glm/geometric.hpp>
 #include <optional>
 
@@ -10,6 +11,7 @@
 #include "core/detail/item_sources.h"
 #include "core/detail/mirrored_items.h"
 #include "core/detail/pattern_look.h"
+#include "core/detail/row_bands.h"
 
 namespace povpreview {
 
@@ -29,8 +31,13 @@ class Reading {
         const std::size_t pixels = std::size_t(result_.width) * std::size_t(result_.height);
         result_.surfaces.resize(pixels, ItemBuffer::unknown);
         result_.kinds.resize(pixels, Look::Kind::mixed);
-        for (int y = 0; y < result_.height; ++y)
-            for (int x = 0; x < result_.width; ++x) read(x, y);
+        if (std::any_of(scene_.looks.begin(), scene_.looks.end(), has_albedo))
+            result_.albedos.resize(pixels);
+        for_each_band(0, result_.height, rows_for_threads(result_.height),
+                      [&](int, int top, int bottom) {
+                          for (int y = top; y < bottom; ++y)
+                              for (int x = 0; x < result_.width; ++x) read(x, y);
+                      });
         for (const ItemCanvas::Tie& tie : canvas_.ties())
             if (canvas_.stands(tie) &&
                 surface_of(scene_, tie.first) != surface_of(scene_, tie.second))
@@ -39,6 +46,10 @@ class Reading {
     }
 
    private:
+    static bool has_albedo(const Look& look) {
+        return look.kind == Look::Kind::image || look.kind == Look::Kind::pattern;
+    }
+
     void read(int x, int y) {
         const std::size_t pixel = canvas_.index(x, y);
         const Source source = canvas_.source(pixel);
@@ -85,7 +96,6 @@ class Reading {
             result_.kinds[pixel] = Look::Kind::traced;
             return;
         }
-        if (result_.albedos.empty()) result_.albedos.resize(result_.surfaces.size());
         result_.albedos[pixel] = *albedo;
     }
 
@@ -123,19 +133,30 @@ class Reading {
 
 }  // namespace
 
-ItemBuffer paint_items(const DrawableScene& scene, const std::atomic<bool>& stop) {
-    const PolygonScene& polygons = scene.polygons;
-    ItemCanvas canvas(polygons.width, polygons.height);
-    const PixelRays rays(polygons.camera);
-    if (!rays.valid) {
-        for (std::size_t pixel = 0; pixel < canvas.index(0, polygons.height); ++pixel)
-            canvas.hide(pixel, 0);
-    } else {
-        draw_faces(polygons, rays, canvas, stop);
-        draw_curved(scene, rays, canvas, stop);
+ItemPainting::ItemPainting(const DrawableScene& scene, const std::atomic<bool>& stop)
+    : rays_(scene.polygons.camera), canvas_(scene.polygons.width, scene.polygons.height) {
+    if (!rays_.valid) {
+        for (std::size_t pixel = 0; pixel < canvas_.index(0, canvas_.height()); ++pixel)
+            canvas_.hide(pixel, 0);
+        return;
     }
-    ItemBuffer items = Reading(scene, rays, canvas).read();
-    if (rays.valid) paint_mirrored(scene, rays, canvas, stop, items);
+    draw_faces(scene.polygons, rays_, canvas_, stop);
+    draw_curved(scene, rays_, canvas_, stop);
+}
+
+ItemBuffer ItemPainting::read(const DrawableScene& scene) const {
+    return Reading(scene, rays_, canvas_).read();
+}
+
+void ItemPainting::paint_mirrors(const DrawableScene& scene, const std::atomic<bool>& stop,
+                                 ItemBuffer& items) const {
+    if (rays_.valid) paint_mirrored(scene, rays_, canvas_, stop, items);
+}
+
+ItemBuffer paint_items(const DrawableScene& scene, const std::atomic<bool>& stop) {
+    const ItemPainting painting(scene, stop);
+    ItemBuffer items = painting.read(scene);
+    painting.paint_mirrors(scene, stop, items);
     return items;
 }
 

@@ -4,17 +4,36 @@
 #include <atomic>
 
 #include "core/detail/item_buffer.h"
+#include "core/detail/item_canvas.h"
+#include "core/detail/pixel_rays.h"
 
 namespace povpreview {
 
-/// What each pixel's centre shows of a scene, found without tracing: polygons are rasterised,
-/// curved objects are met by the pixels' rays, and images are looked up where they are seen. Where
-/// two surfaces coincide, and where the data makes no sense, the surface is unknown. Flat mirrors
-/// are painted with what they show.
+/// What each pixel's centre shows of a scene, found without tracing: polygons are rasterised and
+/// curved objects met by the pixels' rays, which takes most of the time; then images are looked up
+/// where they are seen, and flat mirrors painted with what they show. Where two surfaces coincide,
+/// and where the data makes no sense, the surface is unknown.
 ///
-/// Everything is computed in double precision on the calling thread, since fragment shaders proved
-/// to be slower where there is no GPU, and no faster than needed where there is one. Equal scenes
-/// give equal buffers. Ends early, with a result of no use, when `stop` is set.
+/// Everything is computed in double precision, side by side in bands of rows, since fragment
+/// shaders proved to be slower where there is no GPU, and no faster than needed where there is one.
+/// Equal scenes give equal buffers on any number of processors.
+class ItemPainting {
+   public:
+    /// Paints the surfaces. Ends early, with a result of no use, when `stop` is set.
+    ItemPainting(const DrawableScene& scene, const std::atomic<bool>& stop);
+
+    /// What was painted, of the same scene; that may have got its images since.
+    ItemBuffer read(const DrawableScene& scene) const;
+    /// Adds what mirrors show, if there are any.
+    void paint_mirrors(const DrawableScene& scene, const std::atomic<bool>& stop,
+                       ItemBuffer& items) const;
+
+   private:
+    PixelRays rays_;
+    ItemCanvas canvas_;
+};
+
+/// All of that.
 ItemBuffer paint_items(const DrawableScene& scene, const std::atomic<bool>& stop);
 
 }  // namespace povpreview

@@ -2,15 +2,30 @@
 #include "core/detail/item_search.h"
 
 #include "core/detail/item_painter.h"
+#include "core/detail/mirrored_items.h"
 
 namespace povpreview {
 
-ItemSearch::ItemSearch(std::function<Scene()> make_scene)
-    : make_scene_(std::move(make_scene)), thread_([this] { run(); }) {}
+ItemSearch::ItemSearch(MakeScene make_scene, bool images_follow)
+    : make_scene_(std::move(make_scene)),
+      images_follow_(images_follow),
+      thread_([this] { run(); }) {}
 
 ItemSearch::~ItemSearch() {
-    stop_ = true;
+    {
+        const std::lock_guard lock(mutex_);
+        stop_ = true;
+    }
+    changed_.notify_all();
     thread_.join();
+}
+
+void ItemSearch::add_images(MakeScene make_scene) {
+    {
+        const std::lock_guard lock(mutex_);
+        make_scene_with_images_ = std::move(make_scene);
+    }
+    changed_.notify_all();
 }
 
 void ItemSearch::wait_for(std::chrono::milliseconds patience) {
@@ -19,17 +34,52 @@ void ItemSearch::wait_for(std::chrono::milliseconds patience) {
 }
 
 void ItemSearch::run() {
-    using Clock = std::chrono::steady_clock;
-    if (const Scene scene = make_scene_(); scene && !stop_) {
-        const auto begun = Clock::now();
-        items_ = std::make_unique<ItemBuffer>(paint_items(*scene, stop_));
-        seconds_ = std::chrono::duration<double>(Clock::now() - begun).count();
-    }
+    if (const Scene scene = make_scene_(); scene && !stop_) paint(*scene);
     {
         const std::lock_guard lock(mutex_);
         finished_ = true;
     }
     changed_.notify_all();
+}
+
+void ItemSearch::paint(const DrawableScene& scene) {
+    using Clock = std::chrono::steady_clock;
+    auto begun = Clock::now();
+    const auto worked = [&] {
+        seconds_ += std::chrono::duration<double>(Clock::now() - begun).count();
+    };
+    const ItemPainting painting(scene, stop_);
+    ItemBuffer items = painting.read(scene);
+    if (may_mirror(scene)) {
+        publish(items);
+        painting.paint_mirrors(scene, stop_, items);
+    }
+    worked();
+    if (!images_follow_) return publish(std::move(items));
+    publish(items);
+    const Scene with_images = wait_for_images();
+    if (!with_images) return;
+    begun = Clock::now();
+    ItemBuffer all = painting.read(*with_images);
+    all.mirrors = std::move(items.mirrors);
+    all.mirrored = std::move(items.mirrored);
+    worked();
+    publish(std::move(all));
+}
+
+ItemSearch::Scene ItemSearch::wait_for_images() {
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [this] { return stop_ || make_scene_with_images_; });
+    if (stop_) return nullptr;
+    const MakeScene make_scene = make_scene_with_images_;
+    lock.unlock();
+    return make_scene();
+}
+
+void ItemSearch::publish(ItemBuffer items) {
+    if (stop_) return;
+    published_.push_back(std::make_unique<const ItemBuffer>(std::move(items)));
+    latest_ = published_.back().get();
 }
 
 }  // namespace povpreview

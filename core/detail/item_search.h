@@ -8,42 +8,56 @@
 #include <memory>
 #include <mutex>
 #include <thread>
+#include <vector>
 
 #include "core/detail/item_buffer.h"
 
 namespace povpreview {
 
-/// Paints a scene's item buffer in a thread of its own, while the first samples are traced.
+/// Paints a scene's item buffer in a thread of its own, while the first samples are traced. What is
+/// known is there to be taken at once: first the surfaces, then what mirrors show, at last the
+/// albedo of images, which come later than all else.
 class ItemSearch {
    public:
     using Scene = std::shared_ptr<const DrawableScene>;
+    using MakeScene = std::function<Scene()>;
 
     /// `make_scene` is called once in that thread; without a scene there are no items.
-    explicit ItemSearch(std::function<Scene()> make_scene);
+    /// `images_follow`: it has no images yet, see add_images().
+    ItemSearch(MakeScene make_scene, bool images_follow);
     /// Ends the search wherever it is.
     ~ItemSearch();
     ItemSearch(const ItemSearch&) = delete;
     ItemSearch& operator=(const ItemSearch&) = delete;
 
+    /// The same scene with its images, made in that thread. Called once, if images follow.
+    void add_images(MakeScene make_scene);
+
     bool finished() const { return finished_; }
     /// Waits for the search to finish, at most so long.
     void wait_for(std::chrono::milliseconds patience);
 
-    /// Null if there was no scene. REQUIRES: finished().
-    const ItemBuffer* items() const { return items_.get(); }
+    /// The latest; null as long as there is nothing. Lives as long as the search.
+    const ItemBuffer* items() const { return latest_; }
     /// That painting took. REQUIRES: finished().
     double seconds() const { return seconds_; }
 
    private:
     void run();
+    void paint(const DrawableScene& scene);
+    Scene wait_for_images();
+    void publish(ItemBuffer items);
 
-    const std::function<Scene()> make_scene_;
-    std::unique_ptr<ItemBuffer> items_;  // the searching thread's own until finished
+    const MakeScene make_scene_;
+    const bool images_follow_;
+    std::vector<std::unique_ptr<const ItemBuffer>> published_;  // the searching thread's own
     double seconds_ = 0;
 
+    std::atomic<const ItemBuffer*> latest_{nullptr};
     std::atomic<bool> stop_{false}, finished_{false};
     std::mutex mutex_;
     std::condition_variable changed_;
+    MakeScene make_scene_with_images_;
     std::thread thread_;  // last: begins when all else is there
 };
 

@@ -183,11 +183,14 @@ std::vector<std::uint32_t> known_mirrors(const std::vector<Mirror>& mirrors,
 
 }  // namespace
 
+bool may_mirror(const DrawableScene& scene) {
+    return std::any_of(scene.looks.begin(), scene.looks.end(),
+                       [](const Look& look) { return look.mirror >= least_mirror; });
+}
+
 void paint_mirrored(const DrawableScene& scene, const PixelRays& rays, const ItemCanvas& canvas,
                     const std::atomic<bool>& stop, ItemBuffer& items) {
-    if (std::none_of(scene.looks.begin(), scene.looks.end(),
-                     [](const Look& look) { return look.mirror >= least_mirror; }))
-        return;
+    if (!may_mirror(scene)) return;
     const std::vector<Mirror> mirrors = MirrorSearch(scene, rays, canvas).find();
     if (mirrors.empty()) return;
     items.mirrored.assign(items.surfaces.size(), ItemBuffer::unknown);

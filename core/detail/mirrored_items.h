@@ -21,8 +21,9 @@ namespace povpreview {
 ///      eye's image  .'
 ///                .'
 ///
-/// Allocates nothing where nothing is a mirror. Ends early, with a result of no use, when `stop` is
-/// set.
+/// Allocates nothing where nothing is a mirror, as may_mirror() tells beforehand. Ends early, with
+/// a result of no use, when `stop` is set.
+bool may_mirror(const DrawableScene& scene);
 void paint_mirrored(const DrawableScene& scene, const PixelRays& rays, const ItemCanvas& canvas,
                     const std::atomic<bool>& stop, ItemBuffer& items);
 

@@ -138,21 +138,18 @@ void TracedScene::take_geometry() {
 
 /// The images on its surfaces come after all else; until then items are painted without.
 void TracedScene::paint_items() {
-    if (item_search_ || !drawable_.valid()) return;
-    if (!has_images_) {
-        item_search_.emplace([scene = drawable_] { return scene.get(); });
-    } else if (auto images = oracle_.take_images()) {
-        if (bare_search_ && !bare_search_->finished()) bare_search_.reset();
-        item_search_.emplace(
-            [scene = drawable_, images = std::move(*images)]() -> ItemSearch::Scene {
-                if (!scene.get()) return nullptr;
-                auto with_images = std::make_shared<DrawableScene>(*scene.get());
-                with_images->images = images;
-                return with_images;
-            });
-    } else if (!bare_search_) {
-        bare_search_.emplace([scene = drawable_] { return scene.get(); });
-    }
+    if (!drawable_.valid()) return;
+    if (!item_search_)
+        item_search_.emplace([scene = drawable_] { return scene.get(); }, has_images_);
+    if (!has_images_) return;
+    auto images = oracle_.take_images();
+    if (!images) return;
+    item_search_->add_images(
+        [scene = drawable_, images = std::move(*images)]() -> ItemSearch::Scene {
+            auto with_images = std::make_shared<DrawableScene>(*scene.get());
+            with_images->images = images;
+            return with_images;
+        });
 }
 
 const std::vector<EdgeChain>& TracedScene::edges() {
@@ -179,9 +176,8 @@ bool TracedScene::items_finished() {
 }
 
 const ItemBuffer* TracedScene::items() {
-    if (!wants_items_) return nullptr;
-    if (items_finished()) return item_search_->items();
-    return bare_search_ && bare_search_->finished() ? bare_search_->items() : nullptr;
+    items_finished();
+    return item_search_ ? item_search_->items() : nullptr;
 }
 
 void TracedScene::release_edges() {

@@ -58,7 +58,7 @@ class TracedScene {
     void claim_edges() { ++edge_claims_; }
     void release_edges();
     /// What is seen in each pixel, known without tracing; null if it is not known, or not yet. What
-    /// it points to stands; once the scene's images have come, it points to more.
+    /// it points to stands; when more is known, it points to that.
     const ItemBuffer* items();
     /// Nothing more will come of items().
     bool items_finished();
@@ -106,7 +106,7 @@ class TracedScene {
     void paint_items();
 
     bool wants_items_, items_reported_ = false;
-    std::optional<ItemSearch> bare_search_, item_search_;  // without images, and with all
+    std::optional<ItemSearch> item_search_;
     std::shared_future<ItemSearch::Scene> drawable_;  // valid when the geometry has come
     bool has_images_ = false;
     std::optional<EdgeFinding> edge_finding_;

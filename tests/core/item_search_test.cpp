@@ -33,7 +33,7 @@ ItemSearch::Scene triangle(int width, int height) {
 }
 
 TEST(ItemSearch, PaintsBesideWhoeverWaits) {
-    ItemSearch search([] { return triangle(40, 30); });
+    ItemSearch search([] { return triangle(40, 30); }, false);
     while (!search.finished()) search.wait_for(10ms);
     ASSERT_NE(search.items(), nullptr);
     EXPECT_EQ(search.items()->surfaces, std::vector<std::uint32_t>(40 * 30, 7));
@@ -41,9 +41,34 @@ TEST(ItemSearch, PaintsBesideWhoeverWaits) {
 }
 
 TEST(ItemSearch, WithoutASceneThereAreNoItems) {
-    ItemSearch search([] { return ItemSearch::Scene(); });
+    ItemSearch search([] { return ItemSearch::Scene(); }, true);
     while (!search.finished()) search.wait_for(10ms);
     EXPECT_EQ(search.items(), nullptr);
+}
+
+/// A triangle under an image of one texel, or before that has come.
+ItemSearch::Scene pictured(bool with_image) {
+    auto scene = std::make_shared<DrawableScene>(*triangle(40, 30));
+    scene->polygons.faces[0].material = 0;
+    Look look;
+    look.kind = Look::Kind::image;
+    scene->looks = {look};
+    constexpr std::uint16_t one = 0x3c00;  // as a half float
+    if (with_image) scene->images = {{1, 1, {{one, 0, one, one}}}};
+    return scene;
+}
+
+TEST(ItemSearch, SurfacesDoNotWaitForImages) {
+    ItemSearch search([] { return pictured(false); }, true);
+    while (!search.items()) search.wait_for(1ms);
+    EXPECT_FALSE(search.finished());
+    EXPECT_EQ(search.items()->surfaces, std::vector<std::uint32_t>(40 * 30, 7));
+    EXPECT_EQ(search.items()->kinds[0], Look::Kind::traced);
+    search.add_images([] { return pictured(true); });
+    while (!search.finished()) search.wait_for(10ms);
+    EXPECT_EQ(search.items()->surfaces, std::vector<std::uint32_t>(40 * 30, 7));
+    EXPECT_EQ(search.items()->kinds[0], Look::Kind::image);
+    EXPECT_EQ(search.items()->albedos[0], glm::vec3(1, 0, 1));
 }
 
 TEST(ItemSearch, EndsAtOnceWhereverItIs) {
@@ -51,7 +76,7 @@ TEST(ItemSearch, EndsAtOnceWhereverItIs) {
     many->polygons.faces.resize(20000, many->polygons.faces[0]);  // minutes of painting
     const auto begun = std::chrono::steady_clock::now();
     for (const auto pause : {0ms, 1ms, 30ms}) {
-        ItemSearch search([&] { return ItemSearch::Scene(many); });
+        ItemSearch search([&] { return ItemSearch::Scene(many); }, pause > 0ms);
         search.wait_for(pause);
     }
     EXPECT_LT(std::chrono::steady_clock::now() - begun, 20s);
