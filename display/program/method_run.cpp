@@ -12,6 +12,7 @@
 #include "adapter/render_state.h"
 #include "adapter/stock_mosaic.h"
 #include "core/colour.h"
+#include "core/detail/detail_map.h"
 #include "core/error_measures.h"
 #include "core/pixel_canvas.h"
 #include "display/program/interrupt.h"
@@ -80,6 +81,10 @@ MethodRun run_ours(const std::string& method, const ComparedScene& compared,
             own.keep([&] {
                 result.moments.push_back(
                     {number, name, standing, most_memory, run.previewer().picture(Overlay::none)});
+                // Else the previewer would copy what they share, on the clock, as soon as it
+                // changes.
+                auto& detail = result.moments.back().picture.detail;
+                if (detail) detail = std::make_shared<const DetailMap>(*detail);
             });
             line.show(fmt::format("{}, {}: {:.1f} s, {} samples", compared.name, method,
                                   standing.time_s, standing.full));
