@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -23,8 +24,14 @@ void for_each_band(int top, int bottom, int rows, const std::function<void(int, 
             work(band, first, std::min(first + rows, bottom));
         }
     };
+    // Fewer rows are done before another thread has begun.
+    constexpr int rows_a_thread = 128;
+    const int threads = std::min({bands, processors(), 1 + (bottom - top) / rows_a_thread});
     std::vector<std::jthread> others;
-    for (int i = 1; i < std::min(bands, processors()); ++i) others.emplace_back(take_bands);
+    try {
+        for (int i = 1; i < threads; ++i) others.emplace_back(take_bands);
+    } catch (const std::system_error&) {  // no more threads are to be had: those that are will do
+    }
     take_bands();
 }
 

@@ -8,7 +8,8 @@
 namespace povpreview {
 
 /// Calls work(band, top, bottom) for each band of so many rows, the last one fewer, of the rows
-/// [top, bottom); side by side on as many threads as there are processors, so in any order.
+/// [top, bottom); side by side on as many threads as there are processors, so in any order. Of few
+/// rows on the calling thread alone.
 void for_each_band(int top, int bottom, int rows, const std::function<void(int, int, int)>& work);
 
 /// Bands of this many rows of `rows` keep all processors busy to the end, though some are dearer
