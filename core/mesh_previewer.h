@@ -52,6 +52,9 @@ struct MeshOptions {
     double grid_cell = 1. / 20;
     /// A square with more than this share of its pixels sampled is filled: with a sample to every
     /// fourth pixel, edges are some two pixels long and interpolation has nothing left to bridge.
+    /// Over 12 rendered scenes, geometric means of the error from 2, 5 and 10 % of the pixels:
+    ///     .0625 .0187 .0138 .0095    .125 .0171 .0116 .0077    .25 .0169 .0110 .0071
+    ///     .5    .0169 .0111 .0073    never .0169 .0111 .0075
     double dense = .25;
 };
 
