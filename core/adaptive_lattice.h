@@ -19,10 +19,11 @@
 
 namespace povpreview {
 
-/// For scenes whose samples cost less than a vertex of a triangulation does: right triangles with
-/// samples at their corners, all on pixel centres. The two on the hypotenuse that promises most are
-/// halved by a sample in its middle (see halved_triangles.h), and so on down to the pixels, until
-/// each has its sample. Squares that the image's border cuts have the corners beyond it drawn in.
+/// For scenes whose samples are so cheap that the work on a triangulation tells: right triangles
+/// with samples at their corners, all on pixel centres. The two on the hypotenuse that promises
+/// most are halved by a sample in its middle (see halved_triangles.h), and so on down to the
+/// pixels, until each has its sample. Squares that the image's border cuts have the corners beyond
+/// it drawn in.
 ///
 /// Between the corners, pixels are interpolated linearly in encoded colour. A pixel whose item is
 /// known takes only corners on that item; one whose albedo is known interpolates the light on it

@@ -11,7 +11,7 @@ namespace povpreview {
 struct CostPlan {
     /// What a sample costs the tracer, in nanoseconds of one thread; 0: not known.
     double sample_ns;
-    /// No triangulation at all: samples cost less than its vertices do (AdaptiveLattice).
+    /// No triangulation at all: samples are so cheap that the work on it tells (AdaptiveLattice).
     bool lattice;
     /// Trace outlines and keep them as constraints. Each probe waits for the one before it, so a
     /// scene that is complete in a moment is complete before its outlines are known.

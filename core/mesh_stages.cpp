@@ -49,8 +49,8 @@ double MeshPreviewer::vertex_share() const {
 Stage MeshPreviewer::triangulation_stage() const {
     if (lattice_) {
         Stage first = stage(refinement_stage_name, false,
-                            text("a vertex takes longer than samples of %.3g us: only the first "
-                                 "%zu are vertices",
+                            text("a lattice serves samples of %.3g us as well: only the first %zu "
+                                 "are vertices",
                                  plan_.sample_ns * 1e-3, grid_.size()),
                             {Pending::Use::vertex, Pending::Use::side});
         first.expected = double(grid_.size()) / double(squares_.pixels());
@@ -99,7 +99,7 @@ Stage MeshPreviewer::albedo_stage() const {
     const double price = albedo_fetch_.price();
     const bool runs = options_.detail && !lattice_ && albedo_fetch_.affordable();
     const std::string why =
-        lattice_           ? "samples are as cheap"
+        lattice_           ? "a lattice has no use for them"
         : !options_.detail ? "the method or the camera is without a DetailMap"
         : runs ? text("one costs %.2g of a full sample; where samples tell of a texture", price)
                : text("one costs %.2g of a full sample", price);
@@ -124,10 +124,9 @@ Stage MeshPreviewer::rising_stage() const {
 }
 
 Stage MeshPreviewer::filling_stage() const {
-    Stage result =
-        lattice_ ? stage("lattice", true, "samples cost less than a vertex", {Pending::Use::fill})
-                 : stage("filling", true, "every pixel gets its own sample in the end",
-                         {Pending::Use::fill});
+    Stage result = lattice_ ? stage("lattice", true, "samples are cheap", {Pending::Use::fill})
+                            : stage("filling", true, "every pixel gets its own sample in the end",
+                                    {Pending::Use::fill});
     result.expected = 1 - (lattice_ ? *triangulation_stage().expected : vertex_share());
     return result;
 }
