@@ -350,7 +350,8 @@ AdaptiveLattice::Parts3 AdaptiveLattice::parts(const HalvedTriangle& t, int x, i
 }
 
 /// What stands for a pixel of an item: the corners on it; where none is, those of the larger
-/// triangles around, and then the item's anchor.
+/// triangles around, and then the item's anchor, unless a texture that is not known makes the rest
+/// of the item differ from that by more than what is seen around the pixel does.
 std::optional<AdaptiveLattice::Parts3> AdaptiveLattice::parts_on(
     std::uint32_t item, const Path& path, int x, int y, const DetailMap& detail,
     std::span<const Pixel> anchors) const {
@@ -366,6 +367,9 @@ std::optional<AdaptiveLattice::Parts3> AdaptiveLattice::parts_on(
         }
         if (any) return result;
     }
+    const DetailMap::Albedo albedo = detail.albedo_state(pixel_at({x, y}));
+    if (albedo != DetailMap::Albedo::constant && albedo != DetailMap::Albedo::known)
+        return std::nullopt;
     if (item >= anchors.size() || anchors[item] == no_anchor || !squares_.has_colour(anchors[item]))
         return std::nullopt;
     return Parts3{Part{anchors[item], 1}, {anchors[item], 0}, {anchors[item], 0}};
