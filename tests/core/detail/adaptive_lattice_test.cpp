@@ -168,7 +168,8 @@ TEST(AdaptiveLattice, ForgetsItemsThatSamplesContradict) {
 
 /// What one sample says of an item is worth little where its texture is not known: as in
 /// ntreal.pov, whose tree of wood was drawn from them (errors .0363 and .0300 from 5 % of the
-/// pixels).
+/// pixels). Here the error was .04 above that without items; what is left is due to samples that
+/// stripes attract.
 TEST(AdaptiveLattice, OneSampleDoesNotStandForATexturedItem) {
     FunctionImage image = cheap(images::constant({}));
     image.colour = [](glm::dvec2 p) { return glm::vec3(float(.5 + .4 * std::sin(.08 * p.y))); };
@@ -184,7 +185,7 @@ TEST(AdaptiveLattice, OneSampleDoesNotStandForATexturedItem) {
     for (const std::size_t samples : {800u, 1600u, 3200u}) {
         with.to(samples);
         without.to(samples);
-        EXPECT_LT(with.error(), 2 * without.error() + .002) << samples;
+        EXPECT_LT(with.error(), without.error() + .02) << samples;
     }
 }
 
