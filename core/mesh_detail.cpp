@@ -37,23 +37,36 @@ DetailMap& MeshPreviewer::detail_to_change() {
     return *detail_;
 }
 
-void MeshPreviewer::accept_items(const ItemBuffer& items) {
+void MeshPreviewer::accept_items(const DrawnDetail& drawn) {
     if (!wants_items()) return;
-    if (!items.mirrors.empty()) {
-        items_.set_mirrors(items.mirrors);
-        mesh_.number_again([&](const VertexSample& sample) {
-            return items_.of(sample.surface, sample.reflected_surface);
-        });
-    }
-    detail_to_change().accept(items, items_);
-    const auto varies = [](Look::Kind kind) { return kind != Look::Kind::plain; };
-    textured_ = textured_ || std::any_of(items.kinds.begin(), items.kinds.end(), varies);
-    const auto drawn = [](Look::Kind kind) {
-        return kind == Look::Kind::image || kind == Look::Kind::pattern;
-    };
-    textures_drawn_ = std::any_of(items.kinds.begin(), items.kinds.end(), drawn);
-    // The largest items first, as far as they are worth it.
-    const std::vector<DetailMap::Extent> extents = detail_->extents(items_);
+    number_items_as(drawn);
+    textured_ = textured_ || drawn.pixels(Look::Kind::plain) < squares_.pixels();
+    textures_drawn_ = drawn.pixels(Look::Kind::image) + drawn.pixels(Look::Kind::pattern) > 0;
+    plan_seeds(drawn.extents());
+    if (lattice_) return lattice_->accept_detail(*detail_);
+    // Edges that were light may cross items of which nothing is known.
+    const Triangulation& t = mesh_.triangulation();
+    for (std::uint32_t v = 0; v < t.vertex_ids(); ++v)
+        if (t.alive(VertexId{v})) queue_edges(VertexId{v});
+}
+
+/// Takes the numbers with the map; what was numbered before is numbered again.
+void MeshPreviewer::number_items_as(const DrawnDetail& drawn) {
+    ItemNumbers numbers = drawn.numbers();
+    const std::vector<std::uint32_t> now = numbers.add(items_);
+    items_ = std::move(numbers);
+    mesh_.number_again([&](const VertexSample& sample) {
+        return items_.of(sample.surface, sample.reflected_surface);
+    });
+    albedo_fetch_.number_again(now);
+    auto map = std::make_shared<DetailMap>(drawn.map());
+    if (detail_) map->accept_told(*detail_, now);
+    detail_ = std::move(map);
+    mesh_.show_detail(detail_.get());
+}
+
+/// The largest items first, as far as they are worth it.
+void MeshPreviewer::plan_seeds(const std::vector<DetailMap::Extent>& extents) {
     std::vector<std::uint32_t> order;
     for (std::uint32_t item = 0; item < extents.size(); ++item)
         if (extents[item].pixels >= smallest_seed) order.push_back(item);
@@ -68,11 +81,6 @@ void MeshPreviewer::accept_items(const ItemBuffer& items) {
     for (std::uint32_t item : order) seeds_.push_back(extents[item].middle);
     anchors_.assign(extents.size(), AdaptiveLattice::no_anchor);
     for (std::uint32_t item : order) anchors_[item] = extents[item].middle;
-    if (lattice_) return lattice_->accept_detail(*detail_);
-    // Edges that were light may cross items of which nothing is known.
-    const Triangulation& t = mesh_.triangulation();
-    for (std::uint32_t v = 0; v < t.vertex_ids(); ++v)
-        if (t.alive(VertexId{v})) queue_edges(VertexId{v});
 }
 
 std::optional<Request> MeshPreviewer::next_seed() {

@@ -80,7 +80,7 @@ class MeshPreviewer : public Previewer {
     }
     void accept_edges(std::vector<EdgeChain>&& chains) override;
     bool wants_items() const override { return options_.detail && (refining_ || lattice_); }
-    void accept_items(const ItemBuffer& items) override;
+    void accept_items(const DrawnDetail& drawn) override;
     void accept_ready(Rung rung) override;
     bool waits() const override { return pending_.empty() && !climb_.at_target(); }
     bool done() const override;
@@ -168,6 +168,8 @@ class MeshPreviewer : public Previewer {
 
     // What is known of each pixel (mesh_detail.cpp).
     DetailMap& detail_to_change();
+    void number_items_as(const DrawnDetail& drawn);
+    void plan_seeds(const std::vector<DetailMap::Extent>& extents);
     std::uint32_t item_seen(const Sample& sample);
     bool shaded(const Sample& sample) const;
     Parts lattice_parts() const;

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/detail/item_buffer.h"
+#include "core/detail/drawn_detail.h"
 #include "core/image_edge.h"
 #include "core/oracle.h"
 #include "core/picture.h"
@@ -57,7 +57,7 @@ class Previewer {
     /// Whether it has a use for what is seen in each pixel, known without tracing, or still has.
     virtual bool wants_items() const { return false; }
     /// That, of the size of the picture. May come at any time, and again when more is known of it.
-    virtual void accept_items(const ItemBuffer&) {}
+    virtual void accept_items(const DrawnDetail&) {}
     /// A rung of its ladder is ready that was not, or its samples have become better.
     virtual void accept_ready(Rung) {}
     /// It has nothing to ask for, no answer outstanding, and waits for a rung to become ready.

@@ -112,15 +112,16 @@ void DetailLayer::load_triangles(const Picture& picture) {
 
 void DetailLayer::load_pixels(const Picture& picture) {
     const DetailMap& detail = *picture.detail;
+    std::vector<std::uint32_t> items(std::size_t(picture.width) * std::size_t(picture.height));
+    for (Pixel i = 0; i < items.size(); ++i) items[i] = detail.item(i);
     gl_.BindTexture(GL_TEXTURE_2D, items_.id());
     gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_R32UI, picture.width, picture.height, 0, GL_RED_INTEGER,
-                   GL_UNSIGNED_INT, detail.item_pixels().data());
-    std::vector<glm::vec4> albedos(1);
+                   GL_UNSIGNED_INT, items.data());
     const bool any = detail.albedos() > 0;
-    if (any) albedos.resize(detail.albedo_pixels().size());
-    for (std::size_t i = 0; any && i < albedos.size(); ++i)
-        if (detail.albedo_states()[i] == DetailMap::Albedo::known)
-            albedos[i] = glm::vec4(detail.albedo_pixels()[i], 1);
+    std::vector<glm::vec4> albedos(any ? items.size() : 1);
+    for (Pixel i = 0; any && i < albedos.size(); ++i)
+        if (detail.albedo_state(i) == DetailMap::Albedo::known)
+            albedos[i] = glm::vec4(detail.albedo(i), 1);
     gl_.BindTexture(GL_TEXTURE_2D, albedos_.id());
     gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA16F, any ? picture.width : 1, any ? picture.height : 1,
                    0, GL_RGBA, GL_FLOAT, albedos.data());

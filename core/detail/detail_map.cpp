@@ -13,8 +13,9 @@ DetailMap::DetailMap(int width, int height)
     : width_(width),
       height_(height),
       items_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), unknown),
-      states_(items_.size(), Albedo::wanted),
-      told_(items_.size()) {}
+      states_(pixels(), Albedo::wanted),
+      albedos_(pixels(), glm::vec3(0)),
+      told_(pixels()) {}
 
 Pixel DetailMap::pixel_at(glm::dvec2 position) const {
     const int x = std::clamp(static_cast<int>(std::floor(position.x)), 0, width_ - 1);
@@ -24,19 +25,17 @@ Pixel DetailMap::pixel_at(glm::dvec2 position) const {
 
 void DetailMap::set_item(Pixel pixel, std::uint32_t item) {
     known_ += (item != unknown) - (items_[pixel] != unknown);
-    items_[pixel] = item;
+    items_.set(pixel, item);
 }
 
 void DetailMap::set_albedo(Pixel pixel, const glm::vec3& albedo) {
-    if (albedos_.empty()) albedos_.resize(items_.size());
-    albedos_known_ += states_[pixel] != Albedo::known;
-    states_[pixel] = Albedo::known;
-    albedos_[pixel] = albedo;
+    set_state(pixel, Albedo::known);
+    albedos_.set(pixel, albedo);
 }
 
-void DetailMap::forget_albedo(Pixel pixel) {
-    albedos_known_ -= states_[pixel] == Albedo::known;
-    states_[pixel] = Albedo::unreliable;
+void DetailMap::set_state(Pixel pixel, Albedo state) {
+    albedos_known_ += (state == Albedo::known) - (states_[pixel] == Albedo::known);
+    states_.set(pixel, state);
 }
 
 void DetailMap::accept(const ItemBuffer& drawn, ItemNumbers& numbers) {
@@ -44,9 +43,9 @@ void DetailMap::accept(const ItemBuffer& drawn, ItemNumbers& numbers) {
     // Neighbours mostly show the same surface.
     std::uint32_t last_surface = ItemBuffer::unknown, last_mirrored = 0, last_item = unknown;
     bool is_mirror = false;
-    for (Pixel pixel = 0; pixel < items_.size(); ++pixel) {
+    for (Pixel pixel = 0; pixel < pixels(); ++pixel) {
         const std::uint32_t surface = drawn.surfaces[pixel];
-        if (told_[pixel] || surface == ItemBuffer::unknown) continue;
+        if (surface == ItemBuffer::unknown) continue;
         if (surface != last_surface) {
             is_mirror = numbers.is_mirror(surface);
             if (!is_mirror) last_item = numbers.of(surface);
@@ -60,7 +59,7 @@ void DetailMap::accept(const ItemBuffer& drawn, ItemNumbers& numbers) {
         set_item(pixel, last_item);
         switch (drawn.kinds[pixel]) {
             case Look::Kind::plain:
-                states_[pixel] = Albedo::constant;
+                set_state(pixel, Albedo::constant);
                 break;
             case Look::Kind::image:
             case Look::Kind::pattern:
@@ -70,6 +69,18 @@ void DetailMap::accept(const ItemBuffer& drawn, ItemNumbers& numbers) {
             case Look::Kind::mixed:  // samples will tell whether it is worth having
                 break;
         }
+    }
+}
+
+void DetailMap::accept_told(const DetailMap& other, std::span<const std::uint32_t> numbers) {
+    contradicted_ += other.contradicted_;
+    for (Pixel pixel = 0; pixel < pixels(); ++pixel) {
+        if (!other.told_[pixel]) continue;
+        told_[pixel] = true;
+        const std::uint32_t item = other.items_[pixel];
+        set_item(pixel, item == unknown ? unknown : numbers[item]);
+        set_state(pixel, other.states_[pixel]);
+        albedos_.set(pixel, other.albedos_[pixel]);
     }
 }
 
@@ -87,7 +98,7 @@ void DetailMap::accept_albedo(Pixel pixel, const Sample& sample, ItemNumbers& nu
     if (usable)
         set_albedo(pixel, sample.albedo);
     else
-        forget_albedo(pixel);
+        set_state(pixel, Albedo::unreliable);
 }
 
 void DetailMap::distrust(Pixel pixel) {
@@ -105,7 +116,7 @@ void DetailMap::forget_square(Pixel pixel) {
             if (told_[p]) continue;
             told_[p] = true;
             set_item(p, unknown);
-            forget_albedo(p);
+            set_state(p, Albedo::unreliable);
         }
 }
 
@@ -113,7 +124,7 @@ std::vector<DetailMap::Extent> DetailMap::extents(const ItemNumbers& numbers) co
     std::vector<Extent> extents(numbers.size());
     std::vector<Pixel> longest(extents.size());
     const auto width = static_cast<Pixel>(width_);
-    for (Pixel row = 0; row < items_.size(); row += width)
+    for (Pixel row = 0; row < pixels(); row += width)
         for (Pixel x = 0; x < width;) {
             const std::uint32_t item = items_[row + x];
             const Pixel start = x;

@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <span>
 #include <unordered_map>
 #include <vector>
 
 #include "core/bf_squares.h"
 #include "core/detail/item_buffer.h"
+#include "core/detail/shared_pixels.h"
 #include "core/oracle.h"
 
 namespace povpreview {
@@ -26,17 +28,29 @@ class ItemNumbers {
     /// `reflected` tells only of mirrors; as Sample::reflected_surface.
     std::uint32_t of(std::uint32_t surface, std::uint32_t reflected = Sample::no_reflection) {
         const std::uint64_t seen = is_mirror(surface) ? reflected : Sample::no_reflection;
-        const auto next = static_cast<std::uint32_t>(surfaces_.size());
-        const auto [found, is_new] = numbers_.try_emplace(seen << 32 | surface, next);
-        if (is_new) surfaces_.push_back(surface);
-        return found->second;
+        return number(seen << 32 | surface);
     }
-    std::size_t size() const { return surfaces_.size(); }
-    std::uint32_t surface(std::uint32_t item) const { return surfaces_[item]; }
+    std::size_t size() const { return seen_.size(); }
+    std::uint32_t surface(std::uint32_t item) const {
+        return static_cast<std::uint32_t>(seen_[item]);
+    }
+    /// Adds what `others` number and these do not; what each of them is here.
+    std::vector<std::uint32_t> add(const ItemNumbers& others) {
+        std::vector<std::uint32_t> here;
+        for (const std::uint64_t seen : others.seen_) here.push_back(number(seen));
+        return here;
+    }
 
    private:
+    std::uint32_t number(std::uint64_t seen) {
+        const auto next = static_cast<std::uint32_t>(seen_.size());
+        const auto [found, is_new] = numbers_.try_emplace(seen, next);
+        if (is_new) seen_.push_back(seen);
+        return found->second;
+    }
+
     std::unordered_map<std::uint64_t, std::uint32_t> numbers_;
-    std::vector<std::uint32_t> surfaces_;  // by item
+    std::vector<std::uint64_t> seen_;  // by item: what is reflected << 32 | surface
     std::vector<std::uint32_t> mirrors_;
 };
 
@@ -57,8 +71,10 @@ class DetailMap {
     /// Nothing is known.
     DetailMap(int width, int height);
 
-    /// Takes what was drawn, but where rays have told already. Sizes must agree, and mirrors.
+    /// Takes what was drawn, before rays tell anything. Sizes must agree, and mirrors.
     void accept(const ItemBuffer& drawn, ItemNumbers& numbers);
+    /// Takes what rays have told another map of the same size, whose items have these numbers here.
+    void accept_told(const DetailMap& other, std::span<const std::uint32_t> numbers);
     /// Takes an albedo ray through a pixel's centre.
     void accept_albedo(Pixel pixel, const Sample& sample, ItemNumbers& numbers);
     /// Whether something else is known of a pixel than the item that a full sample of it met.
@@ -73,16 +89,12 @@ class DetailMap {
     Albedo albedo_state(Pixel pixel) const { return states_[pixel]; }
     /// Whether an albedo ray would tell anything new.
     bool wants_albedo(Pixel pixel) const { return states_[pixel] == Albedo::wanted; }
+    /// Linear; where it is known.
     const glm::vec3& albedo(Pixel pixel) const { return albedos_[pixel]; }
 
     std::size_t known() const { return known_; }                ///< pixels whose surface is known
     std::size_t albedos() const { return albedos_known_; }      ///< pixels whose albedo is known
     std::size_t contradicted() const { return contradicted_; }  ///< samples that contradicted
-
-    const std::vector<std::uint32_t>& item_pixels() const { return items_; }
-    const std::vector<Albedo>& albedo_states() const { return states_; }
-    /// Linear; empty as long as none is known.
-    const std::vector<glm::vec3>& albedo_pixels() const { return albedos_; }
 
     /// A pixel well inside of what is seen of each item, and how many pixels that is.
     struct Extent {
@@ -92,15 +104,18 @@ class DetailMap {
     std::vector<Extent> extents(const ItemNumbers& numbers) const;
 
    private:
+    std::size_t pixels() const {
+        return static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
+    }
     void forget_square(Pixel pixel);
     void set_item(Pixel pixel, std::uint32_t item);
     void set_albedo(Pixel pixel, const glm::vec3& albedo);
-    void forget_albedo(Pixel pixel);
+    void set_state(Pixel pixel, Albedo state);
 
     int width_, height_;
-    std::vector<std::uint32_t> items_;
-    std::vector<Albedo> states_;
-    std::vector<glm::vec3> albedos_;
+    SharedPixels<std::uint32_t> items_;
+    SharedPixels<Albedo> states_;
+    SharedPixels<glm::vec3> albedos_;
     std::vector<bool> told_;  // by a ray
     std::size_t known_ = 0, albedos_known_ = 0, contradicted_ = 0;
 };

@@ -50,21 +50,24 @@ void ItemSearch::paint(const DrawableScene& scene) {
     };
     const ItemPainting painting(scene, stop_);
     ItemBuffer items = painting.read(scene);
-    if (may_mirror(scene)) {
-        publish(items);
-        painting.paint_mirrors(scene, stop_, items);
+    DrawnDetail detail(items);
+    publish(detail);
+    painting.paint_mirrors(scene, stop_, items);
+    if (!items.mirrors.empty()) {
+        detail.accept(items);
+        publish(detail);
     }
     worked();
-    if (!images_follow_) return publish(std::move(items));
-    publish(items);
+    if (!images_follow_) return;
     const Scene with_images = wait_for_images();
     if (!with_images) return;
     begun = Clock::now();
     ItemBuffer all = painting.read(*with_images);
     all.mirrors = std::move(items.mirrors);
     all.mirrored = std::move(items.mirrored);
+    detail.accept(all);
+    publish(detail);
     worked();
-    publish(std::move(all));
 }
 
 ItemSearch::Scene ItemSearch::wait_for_images() {
@@ -76,9 +79,9 @@ ItemSearch::Scene ItemSearch::wait_for_images() {
     return make_scene();
 }
 
-void ItemSearch::publish(ItemBuffer items) {
+void ItemSearch::publish(const DrawnDetail& detail) {
     if (stop_) return;
-    published_.push_back(std::make_unique<const ItemBuffer>(std::move(items)));
+    published_.push_back(std::make_unique<const DrawnDetail>(detail));
     latest_ = published_.back().get();
 }
 

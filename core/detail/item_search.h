@@ -10,7 +10,8 @@
 #include <thread>
 #include <vector>
 
-#include "core/detail/item_buffer.h"
+#include "core/detail/drawable_scene.h"
+#include "core/detail/drawn_detail.h"
 
 namespace povpreview {
 
@@ -38,7 +39,7 @@ class ItemSearch {
     void wait_for(std::chrono::milliseconds patience);
 
     /// The latest; null as long as there is nothing. Lives as long as the search.
-    const ItemBuffer* items() const { return latest_; }
+    const DrawnDetail* items() const { return latest_; }
     /// That painting took. REQUIRES: finished().
     double seconds() const { return seconds_; }
 
@@ -46,14 +47,14 @@ class ItemSearch {
     void run();
     void paint(const DrawableScene& scene);
     Scene wait_for_images();
-    void publish(ItemBuffer items);
+    void publish(const DrawnDetail& detail);
 
     const MakeScene make_scene_;
     const bool images_follow_;
-    std::vector<std::unique_ptr<const ItemBuffer>> published_;  // the searching thread's own
+    std::vector<std::unique_ptr<const DrawnDetail>> published_;  // the searching thread's own
     double seconds_ = 0;
 
-    std::atomic<const ItemBuffer*> latest_{nullptr};
+    std::atomic<const DrawnDetail*> latest_{nullptr};
     std::atomic<bool> stop_{false}, finished_{false};
     std::mutex mutex_;
     std::condition_variable changed_;

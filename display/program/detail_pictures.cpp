@@ -34,25 +34,25 @@ glm::vec3 unique_colour(std::uint32_t item) {
 Picture albedo_picture(const Picture& preview) {
     Picture picture = dark(preview);
     const DetailMap& detail = *preview.detail;
-    for (std::size_t i = 0; i < picture.pixels.size(); ++i)
-        if (detail.albedo_states()[i] == DetailMap::Albedo::known)
-            picture.pixels[i] = detail.albedo_pixels()[i];
+    for (Pixel i = 0; i < picture.pixels.size(); ++i)
+        if (detail.albedo_state(i) == DetailMap::Albedo::known)
+            picture.pixels[i] = detail.albedo(i);
     return picture;
 }
 
 Picture traced_surfaces_picture(const Picture& preview) {
     Picture picture = dark(preview);
     const DetailMap& detail = *preview.detail;
-    for (std::size_t i = 0; i < picture.pixels.size(); ++i)
-        if (detail.albedo_states()[i] == DetailMap::Albedo::wanted &&
-            detail.item_pixels()[i] != DetailMap::unknown)
-            picture.pixels[i] = unique_colour(detail.item_pixels()[i]);
+    for (Pixel i = 0; i < picture.pixels.size(); ++i)
+        if (detail.albedo_state(i) == DetailMap::Albedo::wanted &&
+            detail.item(i) != DetailMap::unknown)
+            picture.pixels[i] = unique_colour(detail.item(i));
     return picture;
 }
 
 Picture detail_map_picture(const Picture& preview) {
     Picture picture = albedo_picture(preview);
-    for (std::size_t i = 0; i < picture.pixels.size(); ++i)
+    for (Pixel i = 0; i < picture.pixels.size(); ++i)
         if (preview.known[i]) picture.pixels[i] = preview.pixels[i];
     return picture;
 }

@@ -65,16 +65,6 @@ Picture picture_of(const std::vector<EdgeChain>& edges, glm::ivec2 size) {
     return picture;
 }
 
-/// An item buffer for cameras under which none can be painted.
-ItemBuffer nothing_known(glm::ivec2 size) {
-    ItemBuffer items;
-    items.width = size.x;
-    items.height = size.y;
-    items.surfaces.assign(std::size_t(size.x) * std::size_t(size.y), ItemBuffer::unknown);
-    items.kinds.assign(items.surfaces.size(), Look::Kind::mixed);
-    return items;
-}
-
 /// Segments of each kind, with the colours in which the painter draws them.
 std::string count(const std::vector<EdgeChain>& edges) {
     std::array<std::size_t, edge_kinds> counts{};
@@ -160,10 +150,10 @@ class Figures {
     void draw_phases(TracedScene& scene) {
         MeshPreviewer previewer(size_.x, size_.y, {.lattice = false});
         previewer.accept_edges(std::vector<EdgeChain>(scene.edges()));
-        if (const ItemBuffer* items = scene.items())
+        if (const DrawnDetail* items = scene.items())
             previewer.accept_items(*items);
         else
-            previewer.accept_items(nothing_known(size_));
+            previewer.accept_items(DrawnDetail(size_.x, size_.y));
         Session session(previewer, scene.oracle());
         trace(session, previewer.first_samples());
         const Picture first = previewer.picture(Overlay::mesh);

@@ -89,7 +89,7 @@ class StrategyRun {
     }
     void take_items() {
         const bool all = scene_.items_finished();
-        const ItemBuffer* items = scene_.items();
+        const DrawnDetail* items = scene_.items();
         if (items && items != items_taken_) previewer_->accept_items(*items);
         items_taken_ = items;
         wants_items_ = !all;
@@ -108,7 +108,7 @@ class StrategyRun {
     std::unique_ptr<Previewer> previewer_;
     Session session_;
     bool wants_edges_ = false, wants_items_ = false, wants_rungs_ = false;
-    const ItemBuffer* items_taken_ = nullptr;
+    const DrawnDetail* items_taken_ = nullptr;
     std::vector<unsigned> rungs_taken_;  // of those that became ready, told to the previewer
     std::size_t edges_taken_ = 0;        // of the scene's
 };

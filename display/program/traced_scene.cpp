@@ -67,20 +67,19 @@ std::string left_out(const Geometry& geometry) {
 }
 
 /// "of the pixels 99.9 % known: 70 % of one colour ...".
-std::string known_pixels(const ItemBuffer& items) {
-    const auto share = [&](auto count) {
-        return 100. * double(count) / double(std::max<std::size_t>(1, items.surfaces.size()));
+std::string known_pixels(const DrawnDetail& items) {
+    const auto of = [&](Look::Kind kind) { return items.pixels(kind); };
+    const std::size_t images = of(Look::Kind::image) + of(Look::Kind::pattern),
+                      coloured = of(Look::Kind::plain) + images + of(Look::Kind::traced),
+                      all = coloured + of(Look::Kind::mixed), known = items.surfaces();
+    const auto share = [&](std::size_t count) {
+        return 100. * double(count) / double(std::max<std::size_t>(1, all));
     };
-    const auto of = [&](Look::Kind kind) {
-        return share(std::count(items.kinds.begin(), items.kinds.end(), kind));
-    };
-    const double unknown =
-        share(std::count(items.surfaces.begin(), items.surfaces.end(), ItemBuffer::unknown));
     return fmt::format(
         "of the pixels {:.2f} % known: {:.2f} % of one colour, {:.2f} % image maps and patterns, "
         "{:.2f} % textures to be traced, {:.2f} % not told by their albedo",
-        100 - unknown, of(Look::Kind::plain), of(Look::Kind::image) + of(Look::Kind::pattern),
-        of(Look::Kind::traced), of(Look::Kind::mixed) - unknown);
+        share(known), share(of(Look::Kind::plain)), share(images), share(of(Look::Kind::traced)),
+        share(known) - share(coloured));
 }
 
 }  // namespace
@@ -175,7 +174,7 @@ bool TracedScene::items_finished() {
     return item_search_ && item_search_->finished();
 }
 
-const ItemBuffer* TracedScene::items() {
+const DrawnDetail* TracedScene::items() {
     items_finished();
     return item_search_ ? item_search_->items() : nullptr;
 }
@@ -206,7 +205,7 @@ Stage TracedScene::item_stage() const {
         stage.why = "the method or the picture's size is without one";
     } else if (!item_search_ || !item_search_->finished()) {
         stage.why = "the scene has not come yet";
-    } else if (const ItemBuffer* items = item_search_->items()) {
+    } else if (const DrawnDetail* items = item_search_->items()) {
         stage.why = known_pixels(*items);
         stage.own_s = item_search_->seconds();
     } else {

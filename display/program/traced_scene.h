@@ -59,7 +59,7 @@ class TracedScene {
     void release_edges();
     /// What is seen in each pixel, known without tracing; null if it is not known, or not yet. What
     /// it points to stands; when more is known, it points to that.
-    const ItemBuffer* items();
+    const DrawnDetail* items();
     /// Nothing more will come of items().
     bool items_finished();
     /// Waits until all of both are known, or `interrupted`.

@@ -32,11 +32,20 @@ ItemSearch::Scene triangle(int width, int height) {
     return scene;
 }
 
+/// Of 40 x 30, those that show a surface.
+int pixels_of(std::uint32_t surface, const DrawnDetail& detail) {
+    int count = 0;
+    for (Pixel p = 0; p < 40 * 30; ++p)
+        if (const std::uint32_t item = detail.map().item(p); item != DetailMap::unknown)
+            count += detail.numbers().surface(item) == surface;
+    return count;
+}
+
 TEST(ItemSearch, PaintsBesideWhoeverWaits) {
     ItemSearch search([] { return triangle(40, 30); }, false);
     while (!search.finished()) search.wait_for(10ms);
     ASSERT_NE(search.items(), nullptr);
-    EXPECT_EQ(search.items()->surfaces, std::vector<std::uint32_t>(40 * 30, 7));
+    EXPECT_EQ(pixels_of(7, *search.items()), 40 * 30);
     EXPECT_GE(search.seconds(), 0);
 }
 
@@ -62,13 +71,13 @@ TEST(ItemSearch, SurfacesDoNotWaitForImages) {
     ItemSearch search([] { return pictured(false); }, true);
     while (!search.items()) search.wait_for(1ms);
     EXPECT_FALSE(search.finished());
-    EXPECT_EQ(search.items()->surfaces, std::vector<std::uint32_t>(40 * 30, 7));
-    EXPECT_EQ(search.items()->kinds[0], Look::Kind::traced);
+    EXPECT_EQ(pixels_of(7, *search.items()), 40 * 30);
+    EXPECT_EQ(search.items()->pixels(Look::Kind::traced), 40u * 30);
     search.add_images([] { return pictured(true); });
     while (!search.finished()) search.wait_for(10ms);
-    EXPECT_EQ(search.items()->surfaces, std::vector<std::uint32_t>(40 * 30, 7));
-    EXPECT_EQ(search.items()->kinds[0], Look::Kind::image);
-    EXPECT_EQ(search.items()->albedos[0], glm::vec3(1, 0, 1));
+    EXPECT_EQ(pixels_of(7, *search.items()), 40 * 30);
+    EXPECT_EQ(search.items()->pixels(Look::Kind::image), 40u * 30);
+    EXPECT_EQ(search.items()->map().albedo(0), glm::vec3(1, 0, 1));
 }
 
 TEST(ItemSearch, EndsAtOnceWhereverItIs) {

@@ -107,7 +107,7 @@ TEST(AdaptiveLattice, KeepsToItemsAndTheirAlbedoWheneverTheyCome) {
     for (const std::size_t when : {0u, 200u, 1500u}) {
         MeshRun with(image, 320, 240), without(image, 320, 240);
         with.to(when);
-        with.previewer.accept_items(items);
+        with.previewer.accept_items(DrawnDetail(items));
         with.to(4000);
         without.to(4000);
         EXPECT_LT(with.error(), .2 * without.error()) << when;
@@ -125,10 +125,10 @@ TEST(AdaptiveLattice, AlbedosMayComeAfterTheirItems) {
     MeshRun without(image, 320, 240), later(image, 320, 240);
     for (MeshRun* run : {&without, &later}) {
         run->to(200);
-        run->previewer.accept_items(bare);
+        run->previewer.accept_items(DrawnDetail(bare));
         run->to(500);
     }
-    later.previewer.accept_items(all);
+    later.previewer.accept_items(DrawnDetail(all));
     for (MeshRun* run : {&without, &later}) run->to(3000);
     EXPECT_LT(later.error(), .7 * without.error());
 }
@@ -146,7 +146,7 @@ TEST(AdaptiveLattice, AsksForShadingOnlyWhereAlbedosWereDrawn) {
         run.to(500);
         ItemBuffer items = items_of(image, 320, 240);
         std::fill(items.kinds.begin(), items.kinds.end(), kind);
-        run.previewer.accept_items(items);
+        run.previewer.accept_items(DrawnDetail(items));
         EXPECT_EQ(contains(run.previewer.parts(), Parts::shading), wanted) << int(kind);
     }
 }
@@ -157,7 +157,7 @@ TEST(AdaptiveLattice, ForgetsItemsThatSamplesContradict) {
     for (int y = 100; y < 164; ++y)  // a block that shows something that is not there
         for (int x = 100; x < 164; ++x) items.surfaces[static_cast<std::size_t>(y * 320 + x)] = 9;
     MeshRun with(image, 320, 240), without(image, 320, 240);
-    with.previewer.accept_items(items);
+    with.previewer.accept_items(DrawnDetail(items));
     for (const std::size_t samples : {4000u, 16000u, 40000u}) {
         with.to(samples);
         without.to(samples);
@@ -181,7 +181,7 @@ TEST(AdaptiveLattice, OneSampleDoesNotStandForATexturedItem) {
     items.albedos.clear();
     std::fill(items.kinds.begin(), items.kinds.end(), Look::Kind::traced);
     MeshRun with(image, 320, 240), without(image, 320, 240);
-    with.previewer.accept_items(items);
+    with.previewer.accept_items(DrawnDetail(items));
     for (const std::size_t samples : {800u, 1600u, 3200u}) {
         with.to(samples);
         without.to(samples);

@@ -73,7 +73,7 @@ struct Preview {
         session.limit_full(full);
         do {
             if (items && session.counts().full >= when) {
-                previewer.accept_items(*items);
+                previewer.accept_items(DrawnDetail(*items));
                 items = nullptr;
             }
             if (validating) {
@@ -114,6 +114,32 @@ TEST(MeshWithItems, TheEndIsTheImageWheneverItemsComeAndWhateverTheySay) {
     }
 }
 
+/// What is painted later has numbers of its own; what was known before keeps its meaning.
+TEST(MeshWithItems, ComeAgainInOtherNumbers) {
+    const FunctionImage image = textured_life(width, height);
+    const ItemBuffer items = items_of(image, width, height);
+    DrawnDetail renumbered(items);
+    ItemBuffer backwards = items;
+    std::reverse(backwards.surfaces.begin(), backwards.surfaces.end());
+    DrawnDetail other(backwards);
+    other.accept(items);
+    Preview once(image, width, height), twice(image, width, height);
+    for (Preview* run : {&once, &twice}) {
+        run->to(500);
+        run->previewer.accept_items(renumbered);
+        run->to(2000);
+    }
+    twice.previewer.accept_items(other);
+    EXPECT_EQ(twice.previewer.validate(), "");
+    const auto shown = [](const Preview& run) {
+        return rasterise_detail(run.previewer.picture(Overlay::none));
+    };
+    EXPECT_EQ(shown(once), shown(twice));
+    twice.to(6000);
+    once.to(6000);
+    EXPECT_LT(twice.error(), 1.2 * once.error());
+}
+
 TEST(MeshWithItems, AreNotWantedOnceRefinementIsOver) {
     const FunctionImage image = textured_life(96, 72);
     Preview run(image, 96, 72);
@@ -123,7 +149,7 @@ TEST(MeshWithItems, AreNotWantedOnceRefinementIsOver) {
     ASSERT_FALSE(run.previewer.wants_items());
     ASSERT_FALSE(run.previewer.done());
     const double before = run.error();
-    run.previewer.accept_items(items_of(image, 96, 72));
+    run.previewer.accept_items(DrawnDetail(items_of(image, 96, 72)));
     EXPECT_EQ(run.error(), before);
     run.to(all);
     EXPECT_EQ(run.error(), 0);

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "core/detail/drawn_detail.h"
+
+#include <algorithm>
+
+namespace povpreview {
+
+void DrawnDetail::accept(const ItemBuffer& drawn) {
+    numbers_.set_mirrors(drawn.mirrors);
+    map_.accept(drawn, numbers_);
+    extents_ = map_.extents(numbers_);
+    surfaces_ = drawn.surfaces.size() -
+                static_cast<std::size_t>(
+                    std::count(drawn.surfaces.begin(), drawn.surfaces.end(), ItemBuffer::unknown));
+    pixels_.fill(0);
+    for (const Look::Kind kind : drawn.kinds) ++pixels_[static_cast<std::size_t>(kind)];
+}
+
+}  // namespace povpreview

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <boost/smart_ptr/intrusive_ptr.hpp>
+#include <boost/smart_ptr/intrusive_ref_counter.hpp>
+#include <cstddef>
+#include <vector>
+
+namespace povpreview {
+
+/// A value for each pixel. Copies share, block by block, what neither has changed since: a picture
+/// keeps what was known when it was made for next to nothing. Each copy is for one thread at a
+/// time; threads may have copies of the same.
+template <class T>
+class SharedPixels {
+   public:
+    SharedPixels(std::size_t pixels, const T& value)
+        : blocks_((pixels + per_block - 1) / per_block, new Block(value)) {}
+
+    const T& operator[](std::size_t pixel) const {
+        return blocks_[pixel / per_block]->values[pixel % per_block];
+    }
+    void set(std::size_t pixel, const T& value) {
+        boost::intrusive_ptr<Block>& block = blocks_[pixel / per_block];
+        if (block->values[pixel % per_block] == value) return;
+        if (block->use_count() > 1) block = new Block(*block);
+        block->values[pixel % per_block] = value;
+    }
+
+   private:
+    static constexpr std::size_t per_block = 4096;
+    struct Block : boost::intrusive_ref_counter<Block> {
+        explicit Block(const T& value) { values.fill(value); }
+        std::array<T, per_block> values;
+    };
+
+    std::vector<boost::intrusive_ptr<Block>> blocks_;
+};
+
+}  // namespace povpreview
