@@ -12,11 +12,11 @@
 #include "adapter/render_state.h"
 #include "adapter/stock_mosaic.h"
 #include "core/colour.h"
-#include "core/detail/detail_map.h"
 #include "core/error_measures.h"
 #include "core/pixel_canvas.h"
 #include "display/program/interrupt.h"
 #include "display/program/plan.h"
+#include "display/program/recorded_previewer.h"
 #include "display/program/schedule.h"
 #include "display/program/strategy_run.h"
 
@@ -37,74 +37,61 @@ void check_size(glm::ivec2 size, const Image& reference) {
                     "compare", "give the size by +W and +H");
 }
 
-/// Our own memory during a run: what has been added since its begin, without the pictures that are
-/// kept for measuring.
+/// Our own memory during a run: what has been added since its begin, without the record of it.
 class OwnMemory {
    public:
-    OwnMemory() {
+    explicit OwnMemory(const Recording& recording) : recording_(recording) {
         malloc_trim(0);  // else a run is served from what the one before it freed
         at_begin_ = resident_memory();
     }
     std::size_t used() const {
-        const std::size_t now = resident_memory();
-        return now > at_begin_ + kept_ ? now - at_begin_ - kept_ : 0;
-    }
-    /// Does something whose result is no part of the method.
-    template <class Work>
-    void keep(const Work& work) {
-        const std::size_t before = resident_memory();
-        work();
-        kept_ += std::max(before, resident_memory()) - before;
+        const std::size_t now = resident_memory(), others = at_begin_ + recording_.memory();
+        return now > others ? now - others : 0;
     }
 
    private:
-    std::size_t at_begin_ = 0, kept_ = 0;
+    const Recording& recording_;
+    std::size_t at_begin_ = 0;
 };
 
 MethodRun run_ours(const std::string& method, const ComparedScene& compared,
                    const CompareOptions& options, ProgressLine& line) {
-    OwnMemory own;
+    Recording recording;
+    const OwnMemory own(recording);
     TracedScene scene(
         read_povray_options(compared.words), options.tracer,
         [&](const std::string& text) { line.show(compared.name + ", " + method + ": " + text); },
         interrupted, foreknowledge_for(method_needs(method), options.mirror_depth));
     check_size({scene.description().width, scene.description().height}, compared.reference);
-    StrategyRun run(method, scene, scene.oracle(), scene.accuracy(options.accuracy));
+    StrategyRun run(method, scene, scene.oracle(), scene.accuracy(options.accuracy), true,
+                    &recording);
     MethodRun result;
     std::size_t most_memory = 0;
-    int next = 0;
-    // Copying the picture is not part of the method's work, and is left off the clock.
-    const auto take = [&](int number, const std::string& name) {
+    const auto note = [&](int number, const std::string& name) {
+        recording.mark();
         const Standing standing = run.standing();
-        scene.off_the_clock([&] {
-            most_memory = std::max(most_memory, own.used() + scene.oracle().peak_memory());
-            own.keep([&] {
-                result.moments.push_back(
-                    {number, name, standing, most_memory, run.previewer().picture(Overlay::none)});
-                // Else the previewer would copy what they share, on the clock, as soon as it
-                // changes.
-                auto& detail = result.moments.back().picture.detail;
-                if (detail) detail = std::make_shared<const DetailMap>(*detail);
-            });
-            line.show(fmt::format("{}, {}: {:.1f} s, {} samples", compared.name, method,
-                                  standing.time_s, standing.full));
-        });
-        next = number + 1;
+        most_memory = std::max(most_memory, own.used() + scene.oracle().peak_memory());
+        result.moments.push_back({number, name, standing, most_memory, {}});
+        line.show(fmt::format("{}, {}: {:.1f} s, {} samples", compared.name, method,
+                              standing.time_s, standing.full));
     };
     GeometricSchedule schedule;
     bool going = true;
     while (going && !interrupted() && !(options.time && scene.time_s() >= *options.time)) {
         going = run.advance(2ms);
         if (run.samples() == 0) continue;
-        if (const auto moment = schedule.due(scene.time_s())) take(*moment, name_of(*moment));
+        if (const auto moment = schedule.due(scene.time_s())) note(*moment, name_of(*moment));
     }
-    take(next, "end");
+    note(result.moments.empty() ? 0 : result.moments.back().number + 1, "end");
     result.complete = run.previewer().done();
     if (const std::vector<Stage> stages = run.stages(); !stages.empty())
         result.plan = plan_table(stages, true);
     for (const auto& report : {scene.take_item_report(), scene.take_edge_report()})
         if (report) result.notes.push_back(*report);
     for (const std::string& fault : scene.oracle().faults()) result.notes.push_back(fault);
+    const std::unique_ptr<Previewer> again = run.fresh_previewer();
+    recording.replay(
+        *again, [&](std::size_t i) { result.moments[i].picture = again->picture(Overlay::none); });
     return result;
 }
 

@@ -10,6 +10,7 @@
 #include "core/methods.h"
 #include "core/session.h"
 #include "display/program/progress_log.h"
+#include "display/program/recorded_previewer.h"
 #include "display/program/traced_scene.h"
 
 namespace povpreview {
@@ -18,12 +19,15 @@ namespace povpreview {
 class StrategyRun {
    public:
     /// `accuracy`: the rung to stay on; if none is given, those methods that can rise from the
-    /// lowest to the target, and the others are traced at the target.
+    /// lowest to the target, and the others are traced at the target. `recording`: of what happens
+    /// to the previewer, or null.
     StrategyRun(const std::string& method, TracedScene& scene, SampleOracle& oracle,
-                std::optional<Rung> accuracy, bool by_cost = true)
-        : scene_(scene),
+                std::optional<Rung> accuracy, bool by_cost = true, Recording* recording = nullptr)
+        : method_(method),
+          frame_(scene.frame(accuracy.has_value(), by_cost)),
+          scene_(scene),
           fixed_rung_(oracle, accuracy.value_or(target_rung)),
-          previewer_(make_previewer(method, scene.frame(accuracy.has_value(), by_cost))),
+          previewer_(observed(fresh_previewer(), recording)),
           session_(*previewer_, accuracy ? static_cast<SampleOracle&>(fixed_rung_) : oracle),
           wants_edges_(previewer_->wants_edges()),
           wants_items_(previewer_->wants_items()),
@@ -44,6 +48,8 @@ class StrategyRun {
         return true;
     }
     const Previewer& previewer() const { return *previewer_; }
+    /// One to which nothing has happened yet.
+    std::unique_ptr<Previewer> fresh_previewer() const { return make_previewer(method_, frame_); }
     /// What is done for this scene and what is left out, why, and what it has taken; empty before
     /// the first samples have told what rays cost.
     std::vector<Stage> stages() const {
@@ -70,6 +76,11 @@ class StrategyRun {
     }
 
    private:
+    static std::unique_ptr<Previewer> observed(std::unique_ptr<Previewer> previewer,
+                                               Recording* recording) {
+        if (!recording) return previewer;
+        return std::make_unique<RecordedPreviewer>(std::move(previewer), *recording);
+    }
     std::array<double, 3> cost_s() const {
         std::array<double, 3> seconds{};
         for (std::size_t kind = 0; kind < seconds.size(); ++kind)
@@ -103,6 +114,8 @@ class StrategyRun {
         edges_taken_ = known.size();
     }
 
+    const std::string method_;
+    const ImageFrame frame_;
     TracedScene& scene_;
     FixedRung fixed_rung_;
     std::unique_ptr<Previewer> previewer_;

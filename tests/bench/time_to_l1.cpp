@@ -7,71 +7,44 @@
 // measures? Runs each method for so many seconds and prints the seconds of the first one to each of
 // five errors, and how many times as long the others took; "-": not reached. See dear.sh.
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <limits>
-#include <memory>
 #include <string>
 #include <vector>
 
-#include "adapter/povray_options.h"
-#include "core/detail/detail_map.h"
 #include "core/error.h"
 #include "core/error_measures.h"
 #include "display/image_file.h"
 #include "display/offscreen.h"
 #include "display/program/interrupt.h"
-#include "display/program/schedule.h"
-#include "display/program/strategy_run.h"
+#include "display/program/method_run.h"
 
 namespace {
 
 using namespace povpreview;
-using namespace std::chrono_literals;
 
 constexpr double levels[] = {.1, .05, .02, .01, .005};
 constexpr double never = std::numeric_limits<double>::infinity();
 
-struct Shown {
-    double time_s;
-    Picture picture;
-};
-
-std::vector<Shown> run(const std::string& method, const std::vector<std::string>& words,
-                       double seconds) {
-    TracedScene scene(
-        read_povray_options(words), {}, [](const std::string&) {}, interrupted,
-        foreknowledge_for(method_needs(method), 1));
-    StrategyRun strategy(method, scene, scene.oracle(), std::nullopt);
-    std::vector<Shown> shown;
-    const auto take = [&] {
-        scene.off_the_clock([&] {
-            shown.push_back({scene.time_s(), strategy.previewer().picture(Overlay::none)});
-            auto& detail = shown.back().picture.detail;
-            if (detail) detail = std::make_shared<const DetailMap>(*detail);
-        });
-    };
-    GeometricSchedule schedule;
-    bool going = true;
-    while (going && !interrupted() && scene.time_s() < seconds) {
-        going = strategy.advance(2ms);
-        if (strategy.samples() > 0 && schedule.due(scene.time_s())) take();
-    }
-    take();
-    return shown;
+std::vector<Moment> run(const std::string& method, const ComparedScene& scene, double seconds) {
+    CompareOptions options;
+    options.time = seconds;
+    ProgressLine line;
+    return run_method(method, scene, options, line).moments;
 }
 
 /// When the error fell to each level for good, between two looks on logarithmic axes.
-std::vector<double> reached(const std::vector<Shown>& shown, const Image& reference,
+std::vector<double> reached(const std::vector<Moment>& moments, const Image& reference,
                             Offscreen& offscreen) {
     std::vector<double> times(std::size(levels), never);
-    double error_before = 1, time_before = shown.front().time_s;
-    for (const Shown& look : shown) {
-        const Image image = offscreen.render(look.picture, reference.width, reference.height);
+    double error_before = 1, time_before = moments.front().standing.time_s;
+    for (const Moment& moment : moments) {
+        const double time = moment.standing.time_s;
+        const Image image = offscreen.render(moment.picture, reference.width, reference.height);
         const double error = std::max(1e-6, measure_error(image.pixels, reference.pixels).l1);
         for (std::size_t i = 0; i < times.size(); ++i) {
             if (error > levels[i]) {
@@ -80,11 +53,11 @@ std::vector<double> reached(const std::vector<Shown>& shown, const Image& refere
                 const double part = error_before > levels[i] ? std::log(error_before / levels[i]) /
                                                                    std::log(error_before / error)
                                                              : 1;
-                times[i] = time_before * std::pow(look.time_s / time_before, part);
+                times[i] = time_before * std::pow(time / time_before, part);
             }
         }
         error_before = error;
-        time_before = look.time_s;
+        time_before = time;
     }
     return times;
 }
@@ -118,13 +91,15 @@ int main(int argc, char** argv) {
     }
     catch_interrupts();
     try {
-        const std::vector<std::string> words(end_of_methods + 1, argv + argc);
-        const Image reference = read_image(argv[1]);
+        ComparedScene scene;
+        scene.words.assign(end_of_methods + 1, argv + argc);
+        scene.reference = read_image(argv[1]);
         Offscreen offscreen(open_offscreen());
         std::vector<std::vector<double>> times;
         for (char** method = argv + 3; method < end_of_methods; ++method)
-            times.push_back(reached(run(*method, words, std::atof(argv[2])), reference, offscreen));
-        print(std::filesystem::path(words.back()).stem().c_str(), times);
+            times.push_back(
+                reached(run(*method, scene, std::atof(argv[2])), scene.reference, offscreen));
+        print(std::filesystem::path(scene.words.back()).stem().c_str(), times);
     } catch (const povpreview::Error& error) {
         std::fprintf(stderr, "time_to_l1: %s\n", error.what());
         return static_cast<int>(error.exit());
