@@ -46,8 +46,8 @@ AdaptiveLattice::AdaptiveLattice(const BfSquares& squares, int width, int height
       encoded_(std::make_unique_for_overwrite<glm::vec3[]>(squares.pixels())),
       states_((std::size_t(right_) + 1) * (std::size_t(below_) + 1), State::open) {
     assert(width >= 1 && height >= 1 && first_side >= 2 && (first_side & (first_side - 1)) == 0);
-    for (Pixel pixel = 0; pixel < squares.pixels(); ++pixel)
-        if (squares.has_colour(pixel)) encoded_[pixel] = encode_srgb(squares.colour(pixel));
+    squares.for_each_known(
+        [&](Pixel pixel) { encoded_[pixel] = encode_srgb(squares.colour(pixel)); });
     for (int y = 0; y <= below_; y += first_side)
         for (int x = 0; x <= right_; x += first_side) ask({x, y});
     roots_left_ = asked_.size();
@@ -224,17 +224,20 @@ int AdaptiveLattice::orphans(const Diamond& diamond, const Corners& corners,
     std::transform(corners.pixels.begin(), corners.pixels.begin() + corners.count, items.begin(),
                    [&](Pixel pixel) { return detail.item(pixel); });
     const auto [x, y] = diamond.centre;
+    // Of large ones every n-th pixel of every n-th row tells enough.
+    const int step = std::max(1, diamond.reach / 16);
     int orphans = 0;
-    for (int j = std::max(y - diamond.reach, 0); j < std::min(y + diamond.reach, height_); ++j) {
+    for (int j = std::max(y - diamond.reach, 0); j < std::min(y + diamond.reach, height_);
+         j += step) {
         const int half = diamond.square ? diamond.reach : diamond.reach - std::abs(j - y);
         const Pixel row = pixel_at({0, j});
-        for (int i = std::max(x - half, 0); i < std::min(x + half, width_); ++i) {
+        for (int i = std::max(x - half, 0); i < std::min(x + half, width_); i += step) {
             const std::uint32_t item = detail.item(row + static_cast<Pixel>(i));
             orphans += item != DetailMap::unknown && item != items[0] && item != items[1] &&
                        item != items[2] && item != items[3];
         }
     }
-    return orphans;
+    return orphans * step * step;
 }
 
 /// The most by which two corners differ, as displayed. Where the texture is known, only the light

@@ -69,6 +69,14 @@ class BfSquares {
     int area(std::size_t square) const;
     /// The n-th pixel of a whole square; nothing where that lies outside of the image.
     std::optional<Pixel> pixel_in(std::size_t square, int n) const;
+    /// Calls visit(pixel) for each that has a colour; quick as long as those are few.
+    template <class Visit>
+    void for_each_known(const Visit& visit) const {
+        for (std::size_t square = 0; square < squares(); ++square)
+            for (int i = 0; count(square) > 0 && i < side * side; ++i)
+                if (const auto pixel = pixel_in(square, i); pixel && has_colour(*pixel))
+                    visit(*pixel);
+    }
     /// Whether the square has been given to `fill`.
     bool filling(std::size_t square) const { return filling_[square]; }
 

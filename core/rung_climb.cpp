@@ -2,6 +2,7 @@
 #include "core/rung_climb.h"
 
 #include <algorithm>
+#include <bit>
 #include <cassert>
 #include <cmath>
 
@@ -54,7 +55,9 @@ void RungClimb::learn(const Sample& sample) {
     ++step.samples;
     if (!has_rungs() || step.costs.size() == most_costs) return;
     step.costs.push_back(sample.cost_ns);
-    step.usual_cost = usual_cost(step.costs);
+    // Many are not looked through for each that comes.
+    if (step.costs.size() <= 2 * trials || std::has_single_bit(step.costs.size()))
+        step.usual_cost = usual_cost(step.costs);
 }
 
 void RungClimb::compare(Rung lower, const glm::vec3& low, const glm::vec3& high) {

@@ -23,9 +23,9 @@ Pixel DetailMap::pixel_at(glm::dvec2 position) const {
     return static_cast<Pixel>(y) * static_cast<Pixel>(width_) + static_cast<Pixel>(x);
 }
 
-void DetailMap::set_item(Pixel pixel, std::uint32_t item) {
-    known_ += (item != unknown) - (items_[pixel] != unknown);
-    items_.set(pixel, item);
+void DetailMap::set_items(Pixel begin, Pixel end, std::uint32_t item) {
+    known_ += items_.fill(begin, end, item, unknown);
+    if (item == unknown) known_ -= end - begin;
 }
 
 void DetailMap::set_albedo(Pixel pixel, const glm::vec3& albedo) {
@@ -40,35 +40,38 @@ void DetailMap::set_state(Pixel pixel, Albedo state) {
 
 void DetailMap::accept(const ItemBuffer& drawn, ItemNumbers& numbers) {
     assert(drawn.width == width_ && drawn.height == height_);
-    // Neighbours mostly show the same surface.
-    std::uint32_t last_surface = ItemBuffer::unknown, last_mirrored = 0, last_item = unknown;
-    bool is_mirror = false;
-    for (Pixel pixel = 0; pixel < pixels(); ++pixel) {
-        const std::uint32_t surface = drawn.surfaces[pixel];
+    // Neighbours mostly show the same.
+    for (Pixel begin = 0, end = 0; begin < pixels(); begin = end) {
+        const std::uint32_t surface = drawn.surfaces[begin];
+        const bool is_mirror = numbers.is_mirror(surface);
+        const std::uint32_t mirrored = is_mirror ? drawn.mirrored[begin] : 0;
+        while (end < pixels() && drawn.surfaces[end] == surface &&
+               drawn.kinds[end] == drawn.kinds[begin] &&
+               (!is_mirror || drawn.mirrored[end] == mirrored))
+            ++end;
         if (surface == ItemBuffer::unknown) continue;
-        if (surface != last_surface) {
-            is_mirror = numbers.is_mirror(surface);
-            if (!is_mirror) last_item = numbers.of(surface);
-        }
-        if (is_mirror && (surface != last_surface || drawn.mirrored[pixel] != last_mirrored)) {
-            last_mirrored = drawn.mirrored[pixel];
-            last_item =
-                last_mirrored == ItemBuffer::unknown ? unknown : numbers.of(surface, last_mirrored);
-        }
-        last_surface = surface;
-        set_item(pixel, last_item);
-        switch (drawn.kinds[pixel]) {
-            case Look::Kind::plain:
-                set_state(pixel, Albedo::constant);
-                break;
-            case Look::Kind::image:
-            case Look::Kind::pattern:
-                set_albedo(pixel, drawn.albedos[pixel]);
-                break;
-            case Look::Kind::traced:
-            case Look::Kind::mixed:  // samples will tell whether it is worth having
-                break;
-        }
+        if (!is_mirror)
+            set_items(begin, end, numbers.of(surface));
+        else
+            set_items(begin, end,
+                      mirrored == ItemBuffer::unknown ? unknown : numbers.of(surface, mirrored));
+        accept_look(drawn, begin, end);
+    }
+}
+
+/// Of pixels of one kind.
+void DetailMap::accept_look(const ItemBuffer& drawn, Pixel begin, Pixel end) {
+    switch (drawn.kinds[begin]) {
+        case Look::Kind::plain:
+            albedos_known_ -= states_.fill(begin, end, Albedo::constant, Albedo::known);
+            break;
+        case Look::Kind::image:
+        case Look::Kind::pattern:
+            for (Pixel pixel = begin; pixel < end; ++pixel) set_albedo(pixel, drawn.albedos[pixel]);
+            break;
+        case Look::Kind::traced:
+        case Look::Kind::mixed:  // samples will tell whether it is worth having
+            break;
     }
 }
 

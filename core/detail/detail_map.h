@@ -108,7 +108,9 @@ class DetailMap {
         return static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
     }
     void forget_square(Pixel pixel);
-    void set_item(Pixel pixel, std::uint32_t item);
+    void accept_look(const ItemBuffer& drawn, Pixel begin, Pixel end);
+    void set_items(Pixel begin, Pixel end, std::uint32_t item);
+    void set_item(Pixel pixel, std::uint32_t item) { set_items(pixel, pixel + 1, item); }
     void set_albedo(Pixel pixel, const glm::vec3& albedo);
     void set_state(Pixel pixel, Albedo state);
 

@@ -12,8 +12,9 @@ void DrawnDetail::accept(const ItemBuffer& drawn) {
     surfaces_ = drawn.surfaces.size() -
                 static_cast<std::size_t>(
                     std::count(drawn.surfaces.begin(), drawn.surfaces.end(), ItemBuffer::unknown));
-    pixels_.fill(0);
-    for (const Look::Kind kind : drawn.kinds) ++pixels_[static_cast<std::size_t>(kind)];
+    for (std::size_t kind = 0; kind < pixels_.size(); ++kind)
+        pixels_[kind] = static_cast<std::size_t>(
+            std::count(drawn.kinds.begin(), drawn.kinds.end(), static_cast<Look::Kind>(kind)));
 }
 
 }  // namespace povpreview

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <boost/smart_ptr/intrusive_ptr.hpp>
 #include <boost/smart_ptr/intrusive_ref_counter.hpp>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 namespace povpreview {
@@ -26,6 +28,24 @@ class SharedPixels {
         if (block->values[pixel % per_block] == value) return;
         if (block->use_count() > 1) block = new Block(*block);
         block->values[pixel % per_block] = value;
+    }
+
+    /// The same for those from `begin` to before `end`. Returns how many of them had the value
+    /// `counted`.
+    std::size_t fill(std::size_t begin, std::size_t end, const T& value, const T& counted) {
+        std::size_t count = 0;
+        while (begin < end) {
+            boost::intrusive_ptr<Block>& block = blocks_[begin / per_block];
+            const std::size_t first = begin % per_block,
+                              last = std::min(per_block, first + (end - begin));
+            const auto part = [&] { return std::span(block->values).subspan(first, last - first); };
+            count += static_cast<std::size_t>(std::ranges::count(part(), counted));
+            begin += last - first;
+            if (std::ranges::all_of(part(), [&](const T& v) { return v == value; })) continue;
+            if (block->use_count() > 1) block = new Block(*block);
+            std::ranges::fill(part(), value);
+        }
+        return count;
     }
 
    private:
