@@ -251,8 +251,7 @@ void report::Answer::read(std::uint32_t i, Sample& sample) const {
     }
     if (const auto* surface = table_->surface()) {
         sample.surface = surface->Get(i)->identity();
-        if (sample.kind != RayKind::albedo)  // these follow none
-            sample.reflected_surface = surface->Get(i)->reflected();
+        sample.reflected_surface = surface->Get(i)->reflected();
         sample.depth = surface->Get(i)->depth();
         sample.normal = vec3(surface->Get(i)->normal());
     }

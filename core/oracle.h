@@ -20,7 +20,7 @@ namespace povpreview {
 enum class RayKind : std::uint8_t {
     full,   ///< everything the renderer computes
     probe,  ///< surface and signature, no shading
-    albedo  ///< surface and albedo of the first hit
+    albedo  ///< surface and albedo of the first hit, or of what it mirrors (see Sample)
 };
 
 /// The parts of a full sample that its user wants; parts not wanted are not recorded, which costs
@@ -63,6 +63,10 @@ struct Signature {
 /// What one ray found. Colours are linear light, scene-referred and unclamped:
 /// `colour = albedo * illumination + remainder`, with illumination accumulated as if the pigment
 /// were white, so that it stays smooth under any texture.
+///
+/// On a mirror of one colour, whose own albedo tells nothing, albedo and illumination are those of
+/// the surface that its first reflected ray meets, the illumination as much of it as is reflected.
+/// Of what that ray meets in its turn they tell nothing.
 struct Sample {
     glm::dvec2 position{};
     RayKind kind = RayKind::full;
@@ -72,12 +76,13 @@ struct Sample {
     glm::vec3 colour{};         ///< full rays
     float transmittance = 0;    ///< full rays: share of the background that shines through, 0..1
     std::uint32_t surface = 0;  ///< identity of the first surface (object and face); 0: none hit
-    /// What the first ray meets that it reflects; 0: nothing. Full and probe rays.
+    /// What the first ray meets that it reflects; 0: nothing. Albedo rays tell it only of mirrors
+    /// of one colour.
     std::uint32_t reflected_surface = 0;
     static constexpr std::uint32_t no_reflection = 0xffffffff;  ///< it reflects none
     float depth = 0;           ///< distance from the eye to it in scene units; 0: none hit
     glm::vec3 normal{};        ///< its geometric normal in world space, towards the eye
-    glm::vec3 albedo{};        ///< its pigment's colour
+    glm::vec3 albedo{};        ///< its pigment's colour, or that of what it mirrors
     glm::vec3 illumination{};  ///< light falling on it, as scattered to the eye by white
     glm::vec3 remainder{};     ///< light that does not pass through its pigment
     Signature signature{};

@@ -80,15 +80,6 @@ bool only_pigments_vary(const pov::TEXTURE* top, Surroundings& around, int depth
     return true;
 }
 
-/// One opaque colour all over: layers of one colour each, the lowest opaque.
-bool is_one_colour(const pov::TEXTURE& top) {
-    for (const pov::TEXTURE* layer = &top; layer != nullptr; layer = next_layer(layer)) {
-        if (!is_plain(*layer)) return false;
-        if (next_layer(layer) == nullptr && (layer->Pigment->Flags & HAS_FILTER) != 0) return false;
-    }
-    return true;
-}
-
 /// An image's `Gradient` says which axis is along its rows (above 0) and which along its columns
 /// (below); of several the last counts.
 LocalFrame turned_to_image(const LocalFrame& map, const pov::ImageData& image) {
@@ -101,6 +92,14 @@ LocalFrame turned_to_image(const LocalFrame& map, const pov::ImageData& image) {
 }
 
 }  // namespace
+
+bool is_one_colour(const pov::TEXTURE& top) {
+    for (const pov::TEXTURE* layer = &top; layer != nullptr; layer = next_layer(layer)) {
+        if (!is_plain(*layer)) return false;
+        if (next_layer(layer) == nullptr && (layer->Pigment->Flags & HAS_FILTER) != 0) return false;
+    }
+    return true;
+}
 
 LookFacts DrawableLooks::look(const pov::ObjectBase& object,
                               const std::vector<const pov::TEXTURE*>& textures) {

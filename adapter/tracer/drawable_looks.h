@@ -48,6 +48,9 @@ class DrawableLooks {
     unsigned too_large_ = 0;
 };
 
+/// One opaque colour all over: layers of one colour each, the lowest opaque.
+bool is_one_colour(const pov::TEXTURE& top);
+
 /// Texels [first, first + count) of an image, row by row from the top, as POV-Ray looks them up.
 TexelChunk texels_of(const pov::ImageData& image, std::uint32_t first, std::uint32_t count);
 ImageSize size_of(const pov::ImageData& image);

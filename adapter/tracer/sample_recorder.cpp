@@ -13,6 +13,7 @@
 
 #include "backend/oracle/hash.h"
 #include "backend/oracle/surface_index.h"
+#include "backend/oracle/surface_looks.h"
 #include "base/povdebug.h"
 
 namespace povpreview::tracer {
@@ -46,6 +47,7 @@ void SampleRecorder::begin(RayKind kind, bool shading, bool signature) {
     normal_ = pov::Vector3d(0, 0, 0);
     primary_ = lights_ = reflected_ = refracted_ = 0;
     share_ = 1;
+    in_mirror_ = false;
     albedo_sum_.clear();
     illumination_sum_.clear();
 }
@@ -86,6 +88,8 @@ void SampleRecorder::enter(const pov::Ray& ray, const pov::Intersection& hit, bo
         ray_white_.clear();
         ray_through_ = pov::RGBColour(1.0);
         ray_weight_ = 0;
+        ray_reflected_ = pov::RGBColour(1.0);
+        mirrors_ = 0;
     } else {
         const Node& parent = nodes_[depth_ - 2];
         const Branch turn = straight_on             ? Branch::primary
@@ -118,7 +122,7 @@ void SampleRecorder::leave() {
     if (--depth_ > 0 || !shading_) return;
     albedo_sum_ += ray_albedo_;
     if (ray_weight_ > least_opacity)
-        illumination_sum_ += ray_white_ * ray_through_ * (1.0 / ray_weight_);
+        illumination_sum_ += ray_white_ * ray_through_ * ray_reflected_ * (1.0 / ray_weight_);
 }
 
 void SampleRecorder::set_normal(const pov::Vector3d& normal) {
@@ -135,7 +139,7 @@ double SampleRecorder::scale_share(double factor) {
 
 void SampleRecorder::begin_layer(const pov::RGBColour& filter, const pov::RGBColour& pigment,
                                  double opacity) {
-    if (!shading_ || !at_first_surface()) return;
+    if (!shading_ || !at_shaded_surface()) return;
     layer_filter_ = filter;
     layer_pigment_ = pigment;
     layer_opacity_ = opacity;
@@ -143,7 +147,7 @@ void SampleRecorder::begin_layer(const pov::RGBColour& filter, const pov::RGBCol
 }
 
 void SampleRecorder::end_layer() {
-    if (!shading_ || !at_first_surface()) return;
+    if (!shading_ || !at_shaded_surface()) return;
     const double reach = share_ * layer_filter_.greyscale();
     ray_albedo_ += layer_filter_ * layer_pigment_ * (share_ * layer_opacity_);
     ray_white_ += layer_white_ * reach;
@@ -151,7 +155,7 @@ void SampleRecorder::end_layer() {
 }
 
 void SampleRecorder::add_white(const pov::RGBColour& light) {
-    if (shading_ && at_first_surface()) layer_white_ += light;
+    if (shading_ && at_shaded_surface()) layer_white_ += light;
 }
 
 void SampleRecorder::begin_photons() {
@@ -163,8 +167,24 @@ void SampleRecorder::end_photons(double scale) {
     layer_white_ = white_before_photons_ + layer_white_ * scale;
 }
 
+bool SampleRecorder::looks_into(const pov::TEXTURE& texture) const {
+    return shading_ && at_first_surface() && plain_mirror(texture);
+}
+
+void SampleRecorder::begin_mirror(const pov::RGBColour& reflected) {
+    if (mirrors_++ == 0) {
+        in_mirror_ = true;
+        ray_albedo_.clear();
+        ray_white_.clear();
+        ray_weight_ = 0;
+        ray_reflected_.clear();
+    }
+    ray_reflected_ += reflected * share_;
+}
+
+/// What lies before a mirror lies before all that it shows.
 void SampleRecorder::attenuate(const pov::RGBColour& transmittance) {
-    if (shading_ && at_first_surface()) ray_through_ *= transmittance;
+    if (shading_ && (at_first_surface() || at_shaded_surface())) ray_through_ *= transmittance;
 }
 
 bool SampleRecorder::wants_light(const pov::LightSource& light) {

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 // The order of POV-Ray's headers matters: frame.h first, povdebug.h last.
@@ -33,6 +34,10 @@ class SurfaceIndex;
 ///     eye --primary--> surface --reflection--> surface ...      each arrow a call of TraceRay,
 ///                         |  \--refraction--> surface ...       each surface a node here
 ///                       lights: lit, blocked, partly lit, filtered
+///
+/// Shading is that of the first surface, unless that is a mirror of one colour (plain_mirror()): of
+/// what it adds itself nothing varies but light, so that the surface that it shows is recorded in
+/// its place, with its light as the mirror reflects it. Rays that find it are followed so far.
 ///
 /// Signatures are sums of hashes, one per node or light, of the path from the eye: the order in
 /// which POV-Ray visits the branches does not matter.
@@ -66,7 +71,7 @@ class SampleRecorder {
 
     /// Share of the texture that is being computed in its surface; returns the former share.
     double scale_share(double factor);
-    void set_share(double share) { share_ = share; }
+    double set_share(double share) { return std::exchange(share_, share); }
 
     void begin_layer(const pov::RGBColour& filter, const pov::RGBColour& pigment, double opacity);
     void end_layer();
@@ -75,6 +80,13 @@ class SampleRecorder {
     /// Photons are summed first and divided by their area after.
     void begin_photons();
     void end_photons(double scale);
+    /// Whether what a surface with this texture shows is to be recorded in its place.
+    bool looks_into(const pov::TEXTURE& texture) const;
+    /// Between `begin_mirror` and `end_mirror` the ray goes on that the first surface reflects;
+    /// `reflected` is the factor by which its light enters the colour. Of several, as layers
+    /// reflect one each, the first stands for all.
+    void begin_mirror(const pov::RGBColour& reflected);
+    void end_mirror() { in_mirror_ = false; }
     /// Everything seen so far lies behind a medium that lets `transmittance` through.
     void attenuate(const pov::RGBColour& transmittance);
 
@@ -100,6 +112,10 @@ class SampleRecorder {
     };
 
     bool at_first_surface() const { return depth_ == 1 && paused_ == 0; }
+    /// Whether the surface is the one whose shading is recorded.
+    bool at_shaded_surface() const {
+        return paused_ == 0 && (mirrors_ == 0 ? depth_ == 1 : in_mirror_ && depth_ == 2);
+    }
     void note_light(int index, LightState state);
 
     const SurfaceIndex& surfaces_;
@@ -117,12 +133,15 @@ class SampleRecorder {
     pov::Vector3d normal_;
     std::uint64_t primary_ = 0, lights_ = 0, reflected_ = 0, refracted_ = 0;
 
-    // Of the first surface of the current ray; white light is kept per layer, then weighted.
+    // Of the shaded surface of the current ray; white light is kept per layer, then weighted.
     double share_ = 1;
     pov::RGBColour layer_filter_, layer_pigment_, layer_white_, white_before_photons_;
     double layer_opacity_ = 0;
     pov::RGBColour ray_albedo_, ray_white_, ray_through_;
     double ray_weight_ = 0;
+    unsigned mirrors_ = 0;    ///< rays that the current ray's first surface reflected
+    bool in_mirror_ = false;  ///< the first of them is under way
+    pov::RGBColour ray_reflected_;
     pov::RGBColour albedo_sum_, illumination_sum_;
 };
 
@@ -158,6 +177,27 @@ class RecordedShare {
    private:
     SampleRecorder* recorder_;
     double former_ = 1;
+};
+
+class RecordedMirror {
+   public:
+    RecordedMirror(SampleRecorder* recorder, const pov::RGBColour& reflected)
+        : recorder_(recorder) {
+        if (recorder_ == nullptr) return;
+        recorder_->begin_mirror(reflected);
+        former_share_ = recorder_->set_share(1);
+    }
+    ~RecordedMirror() {
+        if (recorder_ == nullptr) return;
+        recorder_->set_share(former_share_);
+        recorder_->end_mirror();
+    }
+    RecordedMirror(const RecordedMirror&) = delete;
+    RecordedMirror& operator=(const RecordedMirror&) = delete;
+
+   private:
+    SampleRecorder* recorder_;
+    double former_share_ = 1;
 };
 
 class RecordingPause {

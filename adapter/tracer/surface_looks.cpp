@@ -169,6 +169,11 @@ bool is_mesh(const pov::ObjectBase& object) {
     return dynamic_cast<const pov::Mesh*>(&object) != nullptr;
 }
 
+bool plain_mirror(const pov::TEXTURE& top) {
+    constexpr float least_mirror = .2f;  // as in the previewer, core/detail/mirrored_items.cpp
+    return is_one_colour(top) && least_mirror_of(&top) >= least_mirror && mirror_of(&top) > 0;
+}
+
 Look SurfaceLooks::of(const pov::ObjectBase& object, const pov::MESH_TRIANGLE* triangle) {
     Surface surface{&object, {}};
     if (triangle != nullptr) {

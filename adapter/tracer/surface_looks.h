@@ -32,6 +32,9 @@ struct Look {
 /// A hash by value.
 std::uint64_t content_of_finish(const pov::FINISH* finish);
 bool is_mesh(const pov::ObjectBase& object);
+/// Whether a surface with this texture alone has one colour all over, and reflects so much without
+/// bending it that the previewer takes it for a mirror where it is flat.
+bool plain_mirror(const pov::TEXTURE& top);
 
 class SurfaceLooks {
    public:

@@ -90,12 +90,13 @@ void DetailMap::accept_told(const DetailMap& other, std::span<const std::uint32_
 void DetailMap::accept_albedo(Pixel pixel, const Sample& sample, ItemNumbers& numbers) {
     told_[pixel] = true;
     const bool usable = !sample.failed && finite(sample.albedo);
-    // What a mirror shows such a ray does not tell.
+    // What a mirror shows such a ray does not tell if the mirror has an albedo of its own to tell.
     const std::uint32_t before = items_[pixel];
     if (!usable)
         set_item(pixel, unknown);
-    else if (!numbers.is_mirror(sample.surface))
-        set_item(pixel, numbers.of(sample.surface));
+    else if (!numbers.is_mirror(sample.surface) ||
+             sample.reflected_surface != Sample::no_reflection)
+        set_item(pixel, numbers.of(sample.surface, sample.reflected_surface));
     else if (before != unknown && numbers.surface(before) != sample.surface)
         set_item(pixel, unknown);
     if (usable)

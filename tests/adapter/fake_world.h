@@ -56,7 +56,7 @@ inline Sample sample_at(const glm::dvec2& p, RayKind kind, Parts parts) {
     }
     if (!full || contains(parts, Parts::surface)) {
         s.surface = all.surface;
-        if (kind != RayKind::albedo) s.reflected_surface = all.reflected_surface;
+        s.reflected_surface = all.reflected_surface;
         s.depth = all.depth;
         s.normal = all.normal;
     }

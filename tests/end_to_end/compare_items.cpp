@@ -10,7 +10,8 @@
 //     at edges   of all known ones, those that show a neighbouring pixel's surface instead
 //     beyond     ... and those that show neither
 //     albedo     pixels whose albedo is drawn; of these, right within .01: agree
-//     plain      pixels said to be of one colour all over; of these, of their surface's: agree
+//     plain      pixels said to be of one colour all over; of these, of their surface's, or in a
+//                mirror of the surface's that is seen in it: agree
 //     mirror     pixels of which it is known what a mirror shows there, of probes; of these, of
 //     inner
 //                ones as above, right: agree; and those at edges and beyond that are not: off
@@ -140,7 +141,8 @@ class Comparison {
             if (!(off <= .01f)) tell(x, y, sample.surface, off);
         } else if (kind == Look::Kind::plain && sample.surface != 0) {
             ++result_.plain;
-            const auto first = plain_.try_emplace(sample.surface, sample.albedo).first->second;
+            const std::pair seen{sample.surface, sample.reflected_surface};
+            const auto first = plain_.try_emplace(seen, sample.albedo).first->second;
             const float off = glm::distance(first, sample.albedo);
             result_.plain_right += off <= .001f;
             if (!(off <= .001f)) tell(x, y, sample.surface, off);
@@ -157,7 +159,7 @@ class Comparison {
     const std::vector<Sample>& traced_;
     const std::vector<Sample>& probes_;
     int left_to_tell_;
-    std::map<std::uint32_t, glm::vec3> plain_;
+    std::map<std::pair<std::uint32_t, std::uint32_t>, glm::vec3> plain_;
     Agreement result_;
 };
 

@@ -124,6 +124,79 @@ TEST(SampleParts, IlluminationDoesNotSeeThePigment) {
         }
 }
 
+/// Two matt things on a floor before a mirror, seen through fog.
+std::string before_mirror(const std::string& pigment, const std::string& mirror) {
+    return "#version 3.7; global_settings { assumed_gamma 1 }\n"
+           "camera { location <0, 2, -5> look_at 0 }\n"
+           "light_source { <3, 6, -3>, <1, .8, .6> } fog { distance 30 rgb .3 }\n"
+           "plane { y, -1 pigment { " +
+           pigment + " } }\nsphere { <1, 0, 0>, .8 pigment { " + pigment +
+           " } }\nbox { <-4, -1, 2>, <4, 3, 2.1> " + mirror + " rotate 20*y }\n";
+}
+
+/// In a mirror of one colour illumination is what would be reflected of white things.
+TEST(SampleParts, MirrorsTellOfWhatTheyShow) {
+    if (real_tracer().empty()) GTEST_SKIP() << "no tracer: POVPREVIEW_TRACER is not set";
+    const WorkFolder folder;
+    const auto trace = [&](const char* name, const std::string& pigment, const char* mirror) {
+        return trace_pixels({folder.write(name, before_mirror(pigment, mirror)), "+W64", "+H48"},
+                            RayKind::full, everything, 10)
+            .samples;
+    };
+    for (const char* mirror :
+         {"pigment { rgb .2 } finish { reflection rgb <.9, .5, .3> }",
+          "pigment { rgb <.8, .5, .2> } finish { reflection { .6 metallic } specular .4 }",
+          "texture { pigment { rgb .1 } finish { reflection { .2, .5 } } }"
+          "texture { pigment { rgbt <1, 0, 0, .8> } finish { reflection .2 } }"}) {
+        SCOPED_TRACE(mirror);
+        const auto black = trace("black.pov", "rgb 0", mirror);
+        const auto white = trace("white.pov", "rgb 1", mirror);
+        const auto checker =
+            trace("checker.pov", "checker rgb <.1, .5, 1> rgb <.6, 0, .3> scale .3", mirror);
+        std::size_t mirrored = 0;
+        for (std::size_t i = 0; i < white.size(); ++i) {
+            mirrored += white[i].reflected_surface + 1 > 1;
+            for (int c = 0; c < 3; ++c) {
+                ASSERT_NEAR(white[i].illumination[c], checker[i].illumination[c], 1e-5);
+                ASSERT_NEAR(white[i].remainder[c], black[i].colour[c], 1e-5);
+                ASSERT_NEAR(checker[i].remainder[c], black[i].colour[c], 1e-5);
+            }
+        }
+        EXPECT_GT(mirrored, white.size() / 5);
+    }
+}
+
+/// What a mirror makes of light that is no factor is no illumination.
+TEST(SampleParts, OtherMirrorsTellOfThemselves) {
+    if (real_tracer().empty()) GTEST_SKIP() << "no tracer: POVPREVIEW_TRACER is not set";
+    const WorkFolder folder;
+    const auto trace = [&](const char* mirror) {
+        return trace_pixels(
+                   {folder.write("scene.pov", before_mirror("rgb 1", mirror)), "+W64", "+H48"},
+                   RayKind::full, everything, 10)
+            .samples;
+    };
+    for (const Sample& sample :
+         trace("pigment { rgb .2 } finish { reflection .5 reflection_exponent 2 }"))
+        if (sample.reflected_surface != Sample::no_reflection) {
+            ASSERT_EQ(sample.illumination, glm::vec3(0));
+        }
+    for (const char* own : {"pigment { rgb .25 } finish { reflection .1 }",
+                            "pigment { rgb .25 } finish { reflection .5 } normal { bumps .1 }",
+                            "pigment { checker rgb .25 rgb .25 } finish { reflection .5 }",
+                            "texture { checker texture { pigment { rgb .25 } finish { reflection "
+                            ".5 } } texture { pigment { rgb .25 } finish { reflection .5 } } }"}) {
+        SCOPED_TRACE(own);
+        std::size_t mirrored = 0;
+        for (const Sample& sample : trace(own)) {
+            if (sample.reflected_surface == Sample::no_reflection) continue;
+            ++mirrored;
+            ASSERT_EQ(sample.albedo, glm::vec3(.25f));
+        }
+        EXPECT_GT(mirrored, 500u);
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(Scenes, SamplePartsTest, testing::ValuesIn(all_scenes()),
                          [](const auto& scene) { return scene.param.name; });
 

@@ -22,6 +22,19 @@ plane { y, 0 pigment { checker rgb 1 rgb <.1, .2, .6> } finish { reflection .2 }
 sphere { <0, 1, 0>, 1 pigment { rgbf <1, .9, .8, .8> } interior { ior 1.5 } finish { specular .5 } }
 box { <1, 0, 1>, <2, 1, 2> pigment { rgb <1, .3, .1> } normal { bumps .4 scale .1 } }
 background { rgb <.2, .4, .8> })"},
+    {"mirrors_of_one_colour", R"(#version 3.7; global_settings { assumed_gamma 1 max_trace_level 6 }
+camera { location <0, 2, -6> look_at <0, .6, 0> angle 55 }
+light_source { <5, 8, -5> rgb 1 } background { rgb <.2, .4, .8> }
+fog { distance 40 rgb <.6, .7, .8> }
+plane { y, 0 pigment { rgb <.3, .2, .1> } finish { reflection { .3, .6 falloff 2 } conserve_energy } }
+box { <-4, 0, 3>, <4, 4, 3.1> texture { pigment { rgb <.9, .8, .2> }
+  finish { reflection { .5 metallic } metallic } } rotate 8*y }
+sphere { <-1.4, .7, 0>, .7 pigment { checker rgb 1 rgb <.1, .2, .6> scale .2 } }
+sphere { <0, .6, 1>, .6 pigment { rgb .1 } finish { reflection .7 irid { .3 thickness .4 } } }
+box { <.8, 0, -.6>, <1.8, .9, .4> pigment { granite scale .4 } finish { reflection .1 } }
+box { <2, 0, 0>, <2.1, 2, 2> texture { pigment { rgb .2 } finish { reflection .3 } }
+  texture { pigment { rgbt <1, 0, 0, .5> } finish { reflection .3 reflection_exponent 1.5 } } rotate -20*y }
+sphere { <-.4, .3, -1.6>, .3 pigment { rgbt <1, .9, .8, .7> } interior { ior 1.3 } })"},
     {"layers_and_maps", R"(#version 3.7; global_settings { assumed_gamma 2.2 }
 camera { location <0, 1, -4> look_at 0 } light_source { <5, 9, -7>, <1, .9, .8> }
 sphere { 0, 1 texture { pigment { rgb <1, .5, 0> } }

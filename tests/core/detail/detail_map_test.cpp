@@ -22,6 +22,7 @@ Sample albedo_ray(std::uint32_t surface, glm::vec3 albedo) {
     Sample sample;
     sample.kind = RayKind::albedo;
     sample.surface = surface;
+    sample.reflected_surface = Sample::no_reflection;
     sample.albedo = albedo;
     return sample;
 }
@@ -153,6 +154,29 @@ TEST(DetailMap, MirrorsShowWhatTheyMirror) {
     EXPECT_EQ(map.item(at(12, 4)), DetailMap::unknown) << "a mirror where none was thought to be";
     map.accept_albedo(at(7, 5), albedo_ray(30, glm::vec3(.5f)), numbers);
     EXPECT_EQ(map.item(at(7, 5)), numbers.of(30));
+    // Of a mirror of one colour it does.
+    Sample of_mirrored = albedo_ray(20, glm::vec3(.25f));
+    of_mirrored.reflected_surface = 40;
+    for (const Pixel y : {2u, 3u}) {
+        map.accept_albedo(at(7, y), of_mirrored, numbers);
+        EXPECT_EQ(map.item(at(7, y)), numbers.of(20, 40));
+        EXPECT_EQ(map.albedo(at(7, y)), glm::vec3(.25f));
+    }
+}
+
+TEST(DetailMap, MirrorsOfOneColourMayShowMore) {
+    ItemBuffer buffer = columns();
+    ItemNumbers numbers;
+    DetailMap map(width, height);
+    const auto then = [&](Look::Kind kind) {
+        buffer.kinds[0] = kind;
+        map.accept(buffer, numbers);
+        return map.albedo_state(0);
+    };
+    EXPECT_EQ(then(Look::Kind::plain), Albedo::constant);
+    EXPECT_EQ(then(Look::Kind::traced), Albedo::wanted);
+    EXPECT_EQ(then(Look::Kind::image), Albedo::known);
+    EXPECT_EQ(map.albedo(0), buffer.albedos[0]);
 }
 
 TEST(DetailMap, KnowsNothingAtFirst) {
