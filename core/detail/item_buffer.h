@@ -19,8 +19,10 @@ struct ItemBuffer {
 
     int width = 0, height = 0;            ///< pixels
     std::vector<std::uint32_t> surfaces;  ///< identity (Sample::surface), background or unknown
-    std::vector<Look::Kind> kinds;        ///< of the surface's look at the pixel; unknown: mixed
-    /// Linear, where the kind is `image`; empty where it is so nowhere.
+    /// Of the surface's look at the pixel, in mirrors of one colour of the look of what they show;
+    /// unknown: mixed.
+    std::vector<Look::Kind> kinds;
+    /// Linear, where the kind is `image` or `pattern`; empty where it is so nowhere.
     std::vector<glm::vec3> albedos;
 
     /// Surfaces that are flat mirrors, ascending: their pixels are told apart by what they mirror.

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <atomic>
+#include <vector>
 
 #include "core/detail/item_buffer.h"
 #include "core/detail/item_canvas.h"
+#include "core/detail/mirrored_items.h"
 #include "core/detail/pixel_rays.h"
 
 namespace povpreview {
@@ -24,13 +26,17 @@ class ItemPainting {
 
     /// What was painted, of the same scene; that may have got its images since.
     ItemBuffer read(const DrawableScene& scene) const;
-    /// Adds what mirrors show, if there are any.
+    /// Adds what mirrors show, if there are any: the surfaces, and their looks.
     void paint_mirrors(const DrawableScene& scene, const std::atomic<bool>& stop,
-                       ItemBuffer& items) const;
+                       ItemBuffer& items);
+    /// The looks alone, into what was read of the same scene, that may have got its images since.
+    /// REQUIRES: it has the mirrors that were painted.
+    void read_mirrored_looks(const DrawableScene& scene, ItemBuffer& items) const;
 
    private:
     PixelRays rays_;
     ItemCanvas canvas_;
+    std::vector<MirrorView> mirror_views_;
 };
 
 /// All of that.

@@ -54,7 +54,7 @@ void ItemSearch::paint(const DrawableScene& scene) {
     const auto worked = [&] {
         seconds_ += std::chrono::duration<double>(Clock::now() - begun).count();
     };
-    const ItemPainting painting(scene, stop_);
+    ItemPainting painting(scene, stop_);
     ItemBuffer items = painting.read(scene);
     DrawnDetail detail(items);
     publish(detail);
@@ -71,6 +71,7 @@ void ItemSearch::paint(const DrawableScene& scene) {
     ItemBuffer all = painting.read(*with_images);
     all.mirrors = std::move(items.mirrors);
     all.mirrored = std::move(items.mirrored);
+    painting.read_mirrored_looks(*with_images, all);
     detail.accept(all);
     publish(detail);
     worked();

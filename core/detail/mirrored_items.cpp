@@ -11,6 +11,8 @@
 #include "core/detail/curved_items.h"
 #include "core/detail/face_items.h"
 #include "core/detail/item_sources.h"
+#include "core/detail/row_bands.h"
+#include "core/detail/seen_look.h"
 
 namespace povpreview {
 
@@ -139,29 +141,36 @@ class MirrorSearch {
     std::unordered_map<Source, int> numbers_;
 };
 
+glm::dvec2 centre_of(std::uint32_t pixel, int width) {
+    return {pixel % static_cast<std::uint32_t>(width) + .5,
+            pixel / static_cast<std::uint32_t>(width) + .5};
+}
+
 /// Draws what a mirror shows, and reads it into `mirrored`.
-void paint(const DrawableScene& scene, const PixelRays& rays, const ItemCanvas& canvas,
-           const Mirror& mirror, ItemCanvas& reflection, const std::atomic<bool>& stop,
-           std::vector<std::uint32_t>& mirrored) {
-    const PixelRays turned = rays.reflected(mirror.plane);
+MirrorView paint(const DrawableScene& scene, const PixelRays& rays, const ItemCanvas& canvas,
+                 const Mirror& mirror, ItemCanvas& reflection, const std::atomic<bool>& stop,
+                 std::vector<std::uint32_t>& mirrored) {
+    MirrorView view{rays.reflected(mirror.plane)};
+    const PixelRays& turned = view.rays;
     reflection.close_all(mirror.box);
     for (const std::uint32_t pixel : mirror.pixels) reflection.open(pixel, canvas.nearness(pixel));
     draw_faces(scene.polygons, turned, reflection, stop);
     draw_curved(scene, turned, reflection, stop);
+    view.seen.reserve(mirror.pixels.size());
     for (const std::uint32_t pixel : mirror.pixels) {
         const Source source = reflection.source(pixel);
+        view.seen.push_back({pixel, source, reflection.nearness(pixel)});
         mirrored[pixel] = surface_of(scene, source);
         if (source == ItemCanvas::nothing || source == ItemCanvas::unknown) continue;
-        const auto width = static_cast<std::uint32_t>(canvas.width());
-        const glm::dvec2 centre(pixel % width + .5, pixel / width + .5);
         const double way =
             turned.depth(reflection.nearness(pixel)) - rays.depth(canvas.nearness(pixel));
-        if (way * glm::length(turned.direction(centre)) < touch)
+        if (way * glm::length(turned.direction(centre_of(pixel, canvas.width()))) < touch)
             mirrored[pixel] = ItemBuffer::unknown;
     }
     for (const ItemCanvas::Tie& tie : reflection.ties())
         if (reflection.stands(tie) && surface_of(scene, tie.first) != surface_of(scene, tie.second))
             mirrored[tie.pixel] = ItemBuffer::unknown;
+    return view;
 }
 
 /// Surfaces of which it is known what they mirror, ascending.
@@ -188,17 +197,48 @@ bool may_mirror(const DrawableScene& scene) {
                        [](const Look& look) { return look.mirror >= least_mirror; });
 }
 
-void paint_mirrored(const DrawableScene& scene, const PixelRays& rays, const ItemCanvas& canvas,
-                    const std::atomic<bool>& stop, ItemBuffer& items) {
-    if (!may_mirror(scene)) return;
+std::vector<MirrorView> paint_mirrored(const DrawableScene& scene, const PixelRays& rays,
+                                       const ItemCanvas& canvas, const std::atomic<bool>& stop,
+                                       ItemBuffer& items) {
+    if (!may_mirror(scene)) return {};
     const std::vector<Mirror> mirrors = MirrorSearch(scene, rays, canvas).find();
-    if (mirrors.empty()) return;
+    if (mirrors.empty()) return {};
     items.mirrored.assign(items.surfaces.size(), ItemBuffer::unknown);
     ItemCanvas reflection(canvas.width(), canvas.height());
+    std::vector<MirrorView> views;
     for (const Mirror& mirror : mirrors)
-        if (!stop) paint(scene, rays, canvas, mirror, reflection, stop, items.mirrored);
+        if (!stop)
+            views.push_back(paint(scene, rays, canvas, mirror, reflection, stop, items.mirrored));
     items.mirrors = known_mirrors(mirrors, items);
-    if (items.mirrors.empty()) items.mirrored.clear();
+    if (!items.mirrors.empty()) return views;
+    items.mirrored.clear();
+    return {};
+}
+
+void read_mirrored_looks(const DrawableScene& scene, const std::vector<MirrorView>& views,
+                         ItemBuffer& items) {
+    const auto is_mirror = [&](std::uint32_t surface) {
+        return std::binary_search(items.mirrors.begin(), items.mirrors.end(), surface);
+    };
+    const auto read = [&](const MirrorView& view, const MirrorView::Seen& seen) {
+        if (items.kinds[seen.pixel] != Look::Kind::plain || !is_mirror(items.surfaces[seen.pixel]))
+            return;
+        const Source source =
+            items.mirrored[seen.pixel] == ItemBuffer::unknown ? ItemCanvas::unknown : seen.source;
+        const SeenLook look =
+            seen_look(scene, view.rays, centre_of(seen.pixel, items.width), seen.nearness, source);
+        items.kinds[seen.pixel] = look.kind;
+        if (look.albedo) items.albedos[seen.pixel] = *look.albedo;
+    };
+    // As many pixels as a row has are as much work as one.
+    const auto row = static_cast<std::size_t>(items.width);
+    for (const MirrorView& view : views) {
+        const int rows = static_cast<int>((view.seen.size() + row - 1) / row);
+        for_each_band(0, rows, rows_for_threads(rows), [&](int, int top, int bottom) {
+            const std::size_t end = std::min(std::size_t(bottom) * row, view.seen.size());
+            for (std::size_t i = std::size_t(top) * row; i < end; ++i) read(view, view.seen[i]);
+        });
+    }
 }
 
 }  // namespace povpreview

@@ -2,12 +2,25 @@
 #pragma once
 
 #include <atomic>
+#include <vector>
 
 #include "core/detail/item_buffer.h"
 #include "core/detail/item_canvas.h"
 #include "core/detail/pixel_rays.h"
 
 namespace povpreview {
+
+/// What mirrors in one plane show: pixel by pixel, as a canvas does, by rays that come from behind
+/// them.
+struct MirrorView {
+    struct Seen {
+        std::uint32_t pixel;
+        ItemCanvas::Source source;
+        double nearness;
+    };
+    PixelRays rays;
+    std::vector<Seen> seen{};
+};
 
 /// Finds what flat mirrors show: `mirrors` and `mirrored` of a buffer whose other parts were read
 /// from the canvas. For each mirror the scene is drawn again, as seen from behind it.
@@ -24,7 +37,13 @@ namespace povpreview {
 /// Allocates nothing where nothing is a mirror, as may_mirror() tells beforehand. Ends early, with
 /// a result of no use, when `stop` is set.
 bool may_mirror(const DrawableScene& scene);
-void paint_mirrored(const DrawableScene& scene, const PixelRays& rays, const ItemCanvas& canvas,
-                    const std::atomic<bool>& stop, ItemBuffer& items);
+std::vector<MirrorView> paint_mirrored(const DrawableScene& scene, const PixelRays& rays,
+                                       const ItemCanvas& canvas, const std::atomic<bool>& stop,
+                                       ItemBuffer& items);
+
+/// Gives pixels of mirrors of one colour the look of what is seen in them, as samples tell of that
+/// there (see Sample). `items` has its `mirrors` and `mirrored` and other than that was just read.
+void read_mirrored_looks(const DrawableScene& scene, const std::vector<MirrorView>& views,
+                         ItemBuffer& items);
 
 }  // namespace povpreview

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <glm/geometric.hpp>
 #include <set>
 
 #include "adapter/geometry.h"
@@ -18,7 +19,7 @@ namespace {
 
 struct Painted {
     ItemBuffer items;
-    std::vector<Sample> probes;  ///< at all pixel centres
+    std::vector<Sample> probes, albedos;  ///< at all pixel centres
 };
 
 class Mirrors : public testing::Test {
@@ -41,15 +42,22 @@ class Mirrors : public testing::Test {
         const DrawableScene scene =
             drawable_scene(oracle.take_geometry().value(), description).value();
         const std::atomic<bool> stop{false};
-        Painted result{paint_items(scene, stop), {}};
+        Painted result{paint_items(scene, stop), {}, {}};
+        result.probes = trace(oracle, description, RayKind::probe);
+        result.albedos = trace(oracle, description, RayKind::albedo);
+        return result;
+    }
+    static std::vector<Sample> trace(PovrayOracle& oracle, const SceneDescription& description,
+                                     RayKind kind) {
         std::vector<Request> requests;
         for (int y = 0; y < description.height; ++y)
             for (int x = 0; x < description.width; ++x)
-                requests.push_back({{x + .5, y + .5}, RayKind::probe});
+                requests.push_back({{x + .5, y + .5}, kind});
         oracle.submit(requests, Parts::surface);
-        while (result.probes.size() < requests.size())
-            oracle.collect(result.probes, std::chrono::milliseconds(20));
-        return result;
+        std::vector<Sample> samples;
+        while (samples.size() < requests.size())
+            oracle.collect(samples, std::chrono::milliseconds(20));
+        return samples;
     }
 
     /// Returns how many pixels know what a mirror shows; `surfaces`: at least so many are shown.
@@ -96,6 +104,40 @@ TEST_F(Mirrors, OfEveryFlatKind) {
         const Painted painted = paint(std::string(things) + mirror);
         ASSERT_FALSE(painted.items.mirrors.empty());
         EXPECT_GT(expect_agreement(painted, 4), 1000u);
+    }
+}
+
+/// Of every look of mirrors and of what they show.
+TEST_F(Mirrors, HaveTheAlbedoThatRaysTell) {
+    const std::string patterned = R"(
+sphere { <-1.2, .6, -1>, .6 pigment { checker rgb x rgb z scale .3 } }
+box { <.2, 0, -1.5>, <1, .8, -.8> pigment { brick rgb y rgb .5 scale .1 } }
+torus { .5, .15 rotate 70*x translate <1.6, 1.4, -.6> pigment { rgb z } }
+)";
+    for (const char* mirror :
+         {"pigment { rgb .1 } finish { reflection .8 }",
+          "pigment { rgb .3 } finish { reflection { .2, .9 metallic } }",
+          "pigment { rgb .3 } finish { reflection { .3 } reflection_exponent 2 }",
+          "texture { pigment { rgb 1 } } texture { pigment { rgbt .7 } finish { reflection .4 } }",
+          "pigment { hexagon rgb .3 rgb .5 rgb .7 scale .2 } finish { reflection .5 }",
+          "texture { checker texture { pigment { rgb .2 } finish { reflection .5 } }"
+          " texture { pigment { rgb .4 } finish { reflection .5 } } scale .3 }"}) {
+        SCOPED_TRACE(mirror);
+        const Painted painted = paint(patterned + "plane { y, 0 " + mirror + " }");
+        const ItemBuffer& items = painted.items;
+        ASSERT_EQ(items.mirrors.size(), 1u);
+        std::size_t known = 0, wrong = 0;
+        for (std::size_t i = 0; i < items.surfaces.size(); ++i) {
+            const Sample& sample = painted.albedos[i];
+            if (items.surfaces[i] != items.mirrors[0] || items.kinds[i] != Look::Kind::pattern)
+                continue;
+            ++known;
+            wrong += glm::distance(items.albedos[i], sample.albedo) > 1e-5f ||
+                     (sample.reflected_surface != Sample::no_reflection &&
+                      sample.reflected_surface != items.mirrored[i]);
+        }
+        EXPECT_GT(known, 500u);
+        EXPECT_EQ(wrong, 0u) << "of " << known;
     }
 }
 

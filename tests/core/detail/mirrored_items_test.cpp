@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <functional>
+#include <map>
 #include <random>
 #include <set>
 
+#include "core/detail/item_painter.h"
 #include "tests/core/detail/item_agreement.h"
 
 namespace povpreview::test {
@@ -200,6 +202,99 @@ TEST(MirroredItems, MirrorsAreFlatAndReflectEnough) {
                   made.sphere({0, 0, 0}, 1.5);
               }),
               0u);
+}
+
+// ---- looks
+
+/// What mirrors show as `looks`: materials 3 an image, 4 a texture for tracing, 5 of no look.
+ItemScene textured_scene() {
+    ItemScene made = scene_seen(look_at({1, .7, -6}, {0, .3, 0}));
+    made.scene.images = {{2, 2, {}}};
+    for (const std::uint16_t half : {0x3800, 0x3a00, 0x3900, 0x3c00})
+        made.scene.images[0].texels.push_back({half, 0x3c00, 0x3400, 0x3c00});
+    Look image{Look::Kind::image, {}};
+    image.image.interpolation = ImageLook::Interpolation::bilinear;
+    image.image.to_map = {{.3, .1, 0}, {0, .4, 0}, {.2, 0, .3}, {.1, .3, 0}};
+    made.scene.looks.push_back(image);
+    made.scene.looks.push_back({Look::Kind::traced, {}});
+    return made;
+}
+
+void add_textured_things(ItemScene& made) {
+    made.face({{-9, -1, -9}, {9, -1, -9}, {9, -1, 9}, {-9, -1, 9}});
+    made.material = 3;
+    made.box({-1.4, -1, -1.6}, {-.6, .3, -.9});
+    made.sphere({.5, -.3, -1}, .6);
+    made.material = 4;
+    made.cylinder({-.5, 1, -2.5}, {.4, 1.4, -.5}, .2);
+    made.material = 5;
+    made.torus({1.2, .9, -1.5}, {.2, 1, .5}, .5, .15);
+    made.material = 0;
+}
+
+TEST(MirroredItems, AMirrorOfOneColourHasTheLookOfWhatItShows) {
+    ItemScene made = textured_scene();
+    add_mirror(made);
+    add_textured_things(made);
+    const ItemBuffer buffer = painted(made.scene);
+    const RayCaster caster(made.scene, made.pose);
+    std::map<Look::Kind, std::size_t> seen;
+    for (std::size_t at = 0; at < buffer.surfaces.size(); ++at) {
+        if (!is_mirror(buffer, at)) continue;
+        ++seen[buffer.kinds[at]];
+        if (buffer.mirrored[at] == ItemBuffer::unknown) {
+            EXPECT_EQ(buffer.kinds[at], Look::Kind::mixed);
+            continue;
+        }
+        const RayCaster::Hit hit =
+            caster.cast_reflected(double(at % width) + .5, double(at / width) + .5);
+        if (hit.surface != buffer.mirrored[at]) continue;  // as told above
+        const bool sky = hit.surface == ItemBuffer::background;
+        ASSERT_EQ(buffer.kinds[at], sky ? Look::Kind::plain : hit.kind) << at;
+        if (hit.kind == Look::Kind::image) {
+            EXPECT_LT(glm::distance(glm::dvec3(buffer.albedos[at]), hit.albedo), 1e-4) << at;
+        }
+    }
+    EXPECT_GT(seen[Look::Kind::plain], 1000u);
+    EXPECT_GT(seen[Look::Kind::image], 300u);
+    EXPECT_GT(seen[Look::Kind::traced], 40u);
+    EXPECT_GT(seen[Look::Kind::mixed], 40u);
+}
+
+TEST(MirroredItems, AMirrorWithATextureKeepsItsOwnLook) {
+    ItemScene made = textured_scene();
+    made.scene.looks[1].kind = Look::Kind::traced;
+    add_mirror(made);
+    add_textured_things(made);
+    const ItemBuffer buffer = painted(made.scene);
+    ASSERT_FALSE(buffer.mirrors.empty());
+    for (std::size_t at = 0; at < buffer.surfaces.size(); ++at)
+        if (is_mirror(buffer, at)) {
+            ASSERT_EQ(buffer.kinds[at], Look::Kind::traced);
+        }
+}
+
+TEST(MirroredItems, ImagesMayComeLater) {
+    ItemScene made = textured_scene();
+    add_mirror(made);
+    add_textured_things(made);
+    const ItemBuffer expected = painted(made.scene);
+    DrawableScene without = made.scene;
+    without.images.clear();
+    const std::atomic<bool> stop{false};
+    ItemPainting painting(without, stop);
+    ItemBuffer first = painting.read(without);
+    painting.paint_mirrors(without, stop, first);
+    EXPECT_EQ(first.mirrored, expected.mirrored);
+    ItemBuffer then = painting.read(made.scene);
+    then.mirrors = first.mirrors;
+    then.mirrored = first.mirrored;
+    painting.read_mirrored_looks(made.scene, then);
+    EXPECT_EQ(then.kinds, expected.kinds);
+    EXPECT_EQ(then.albedos, expected.albedos);
+    for (std::size_t at = 0; at < first.kinds.size(); ++at)
+        EXPECT_EQ(first.kinds[at], expected.kinds[at] == Look::Kind::image ? Look::Kind::traced
+                                                                           : expected.kinds[at]);
 }
 
 TEST(MirroredItems, OfManyRandomScenes) {

@@ -269,11 +269,15 @@ RayCaster::Hit RayCaster::cast_reflected(double px, double py) const {
     const Found mirror = trace(ray);
     const glm::dvec3 along = glm::normalize(glm::reflect(ray.along, mirror.normal));
     constexpr double off = 1e-9;  // lest it meet the mirror itself
-    return trace({mirror.point + off * along, along, true}).hit;
+    return look_of(trace({mirror.point + off * along, along, true}));
 }
 
 RayCaster::Hit RayCaster::cast(double px, double py) const {
-    Found found = trace(ray_through(px, py));
+    return look_of(trace(ray_through(px, py)));
+}
+
+/// What was hit, with its look.
+RayCaster::Hit RayCaster::look_of(Found found) const {
     if (found.hit.surface == ItemBuffer::background) found.hit.kind = Look::Kind::plain;
     if (found.material >= scene_.looks.size()) return found.hit;
     const Look& look = scene_.looks[found.material];

@@ -46,6 +46,7 @@ class RayCaster {
     struct Found;
     Ray ray_through(double px, double py) const;
     Found trace(const Ray& ray) const;
+    Hit look_of(Found found) const;
     void cast_faces(const Ray& ray, Found& found) const;
     void cast_objects(const Ray& ray, Found& found) const;
     void cast_unknown(const Ray& ray, const std::vector<Bounds>& boxes, Found& found) const;
