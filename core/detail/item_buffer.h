@@ -19,8 +19,8 @@ struct ItemBuffer {
 
     int width = 0, height = 0;            ///< pixels
     std::vector<std::uint32_t> surfaces;  ///< identity (Sample::surface), background or unknown
-    /// Of the surface's look at the pixel, in mirrors of one colour of the look of what they show;
-    /// unknown: mixed.
+    /// Of the surface's look at the pixel; of mirrors of one colour (is_plain_mirror()) of what
+    /// they show, `traced` where they are not flat. Unknown: mixed.
     std::vector<Look::Kind> kinds;
     /// Linear, where the kind is `image` or `pattern`; empty where it is so nowhere.
     std::vector<glm::vec3> albedos;

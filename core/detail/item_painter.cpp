@@ -43,13 +43,19 @@ class Reading {
     }
 
    private:
+    /// Whether samples tell of what is seen in the surface (see Sample).
+    bool shows_more(Source source) const {
+        const Look* look = look_of(scene_, source);
+        return look && is_plain_mirror(*look);
+    }
+
     void read(int x, int y) {
         const std::size_t pixel = canvas_.index(x, y);
         const Source source = canvas_.source(pixel);
         result_.surfaces[pixel] = surface_of(scene_, source);
         const SeenLook look =
             seen_look(scene_, rays_, glm::dvec2(x + .5, y + .5), canvas_.nearness(pixel), source);
-        result_.kinds[pixel] = look.kind;
+        result_.kinds[pixel] = shows_more(source) ? Look::Kind::traced : look.kind;
         if (look.albedo) result_.albedos[pixel] = *look.albedo;
     }
 

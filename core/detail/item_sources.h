@@ -22,4 +22,11 @@ inline std::uint32_t material_of(const DrawableScene& scene, ItemCanvas::Source 
     return scene.polygons.faces[source].material;
 }
 
+/// Null if there is none.
+inline const Look* look_of(const DrawableScene& scene, ItemCanvas::Source source) {
+    if (source == ItemCanvas::nothing || source == ItemCanvas::unknown) return nullptr;
+    const std::uint32_t number = material_of(scene, source);
+    return number < scene.looks.size() ? &scene.looks[number] : nullptr;
+}
+
 }  // namespace povpreview

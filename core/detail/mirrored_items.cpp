@@ -20,9 +20,8 @@ namespace {
 
 using Source = ItemCanvas::Source;
 
-/// Mirrors that reflect less are left to samples, as are those of fewer pixels, and all beyond the
-/// largest few: each takes as long as painting the scene.
-constexpr float least_mirror = .2f;
+/// Mirrors of fewer pixels are left to samples, as are all beyond the largest few: each takes as
+/// long as painting the scene.
 constexpr std::size_t least_pixels = 64, most_mirrors = 32;
 
 /// Two faces lie in one plane if they are as near as rounding can tell, as a share of the distance
@@ -61,10 +60,8 @@ std::optional<MirrorPlane> plane_of(const glm::dmat4x3& to_frame) {
 }
 
 std::optional<MirrorPlane> mirror_of(const DrawableScene& scene, Source source) {
-    if (source == ItemCanvas::nothing || source == ItemCanvas::unknown) return std::nullopt;
-    const std::uint32_t material = material_of(scene, source);
-    if (material >= scene.looks.size() || scene.looks[material].mirror < least_mirror)
-        return std::nullopt;
+    const Look* look = look_of(scene, source);
+    if (!look || look->mirror < least_mirror) return std::nullopt;
     if (source & ItemCanvas::piece_bit) {
         const Solid& solid = scene.solids[scene.pieces[source & ~ItemCanvas::piece_bit].solid];
         if (solid.kind != Solid::Kind::half_space) return std::nullopt;
@@ -156,10 +153,10 @@ MirrorView paint(const DrawableScene& scene, const PixelRays& rays, const ItemCa
     for (const std::uint32_t pixel : mirror.pixels) reflection.open(pixel, canvas.nearness(pixel));
     draw_faces(scene.polygons, turned, reflection, stop);
     draw_curved(scene, turned, reflection, stop);
-    view.seen.reserve(mirror.pixels.size());
     for (const std::uint32_t pixel : mirror.pixels) {
         const Source source = reflection.source(pixel);
-        view.seen.push_back({pixel, source, reflection.nearness(pixel)});
+        if (is_plain_mirror(*look_of(scene, canvas.source(pixel))))
+            view.seen.push_back({pixel, source, reflection.nearness(pixel)});
         mirrored[pixel] = surface_of(scene, source);
         if (source == ItemCanvas::nothing || source == ItemCanvas::unknown) continue;
         const double way =
@@ -221,8 +218,7 @@ void read_mirrored_looks(const DrawableScene& scene, const std::vector<MirrorVie
         return std::binary_search(items.mirrors.begin(), items.mirrors.end(), surface);
     };
     const auto read = [&](const MirrorView& view, const MirrorView::Seen& seen) {
-        if (items.kinds[seen.pixel] != Look::Kind::plain || !is_mirror(items.surfaces[seen.pixel]))
-            return;
+        if (!is_mirror(items.surfaces[seen.pixel])) return;
         const Source source =
             items.mirrored[seen.pixel] == ItemBuffer::unknown ? ItemCanvas::unknown : seen.source;
         const SeenLook look =

@@ -10,8 +10,16 @@
 
 namespace povpreview {
 
-/// What mirrors in one plane show: pixel by pixel, as a canvas does, by rays that come from behind
-/// them.
+/// Surfaces that reflect less are left to samples. The tracer's plain_mirror() has the same bound.
+constexpr float least_mirror = .2f;
+
+/// Whether samples of such a surface tell of what is seen in it (see Sample).
+inline bool is_plain_mirror(const Look& look) {
+    return look.kind == Look::Kind::plain && look.mirror >= least_mirror;
+}
+
+/// What mirrors of one colour show that lie in one plane: pixel by pixel, as a canvas does, by rays
+/// that come from behind them.
 struct MirrorView {
     struct Seen {
         std::uint32_t pixel;

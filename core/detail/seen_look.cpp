@@ -58,16 +58,14 @@ std::optional<glm::vec3> albedo_of(const PatternLook& look, const PixelRays& ray
 SeenLook seen_look(const DrawableScene& scene, const PixelRays& rays, const glm::dvec2& place,
                    double nearness, Source source) {
     if (source == ItemCanvas::nothing) return {Look::Kind::plain, {}};
-    if (source == ItemCanvas::unknown) return {};
-    const std::uint32_t number = material_of(scene, source);
-    if (number >= scene.looks.size()) return {};
-    const Look& look = scene.looks[number];
-    if (!has_albedo(look)) return {look.kind, {}};
+    const Look* look = look_of(scene, source);
+    if (!look) return {};
+    if (!has_albedo(*look)) return {look->kind, {}};
     const double depth = rays.depth(nearness);
-    const auto albedo = look.kind == Look::Kind::image
-                            ? albedo_of(scene, look.image, rays.point(place, depth), source)
-                            : albedo_of(look.pattern, rays, place, depth);
-    return {albedo ? look.kind : Look::Kind::traced, albedo};
+    const auto albedo = look->kind == Look::Kind::image
+                            ? albedo_of(scene, look->image, rays.point(place, depth), source)
+                            : albedo_of(look->pattern, rays, place, depth);
+    return {albedo ? look->kind : Look::Kind::traced, albedo};
 }
 
 }  // namespace povpreview

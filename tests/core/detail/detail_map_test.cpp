@@ -164,7 +164,7 @@ TEST(DetailMap, MirrorsShowWhatTheyMirror) {
     }
 }
 
-TEST(DetailMap, MirrorsOfOneColourMayShowMore) {
+TEST(DetailMap, WhatMirrorsShowIsKnownLater) {
     ItemBuffer buffer = columns();
     ItemNumbers numbers;
     DetailMap map(width, height);
@@ -173,8 +173,8 @@ TEST(DetailMap, MirrorsOfOneColourMayShowMore) {
         map.accept(buffer, numbers);
         return map.albedo_state(0);
     };
-    EXPECT_EQ(then(Look::Kind::plain), Albedo::constant);
     EXPECT_EQ(then(Look::Kind::traced), Albedo::wanted);
+    EXPECT_EQ(then(Look::Kind::plain), Albedo::constant);
     EXPECT_EQ(then(Look::Kind::image), Albedo::known);
     EXPECT_EQ(map.albedo(0), buffer.albedos[0]);
 }

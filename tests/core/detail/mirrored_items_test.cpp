@@ -274,6 +274,16 @@ TEST(MirroredItems, AMirrorWithATextureKeepsItsOwnLook) {
         }
 }
 
+TEST(MirroredItems, WhatCurvedMirrorsShowIsLeftToTracing) {
+    ItemScene made = textured_scene();
+    made.material = 1;
+    made.sphere({0, 0, 0}, 1.5);
+    const ItemBuffer buffer = painted(made.scene);
+    EXPECT_EQ(buffer.kinds[width * (height / 2) + width / 2], Look::Kind::traced);
+    made.scene.looks[1].mirror = .1f;
+    EXPECT_EQ(painted(made.scene).kinds[width * (height / 2) + width / 2], Look::Kind::plain);
+}
+
 TEST(MirroredItems, ImagesMayComeLater) {
     ItemScene made = textured_scene();
     add_mirror(made);
