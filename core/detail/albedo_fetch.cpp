@@ -118,11 +118,13 @@ void AlbedoFetch::begin_whole(const DetailMap& detail) {
 void AlbedoFetch::number_again(const std::vector<std::uint32_t>& now) {
     std::vector<Item> items;
     for (std::size_t item = 0; item < items_.size(); ++item) {
+        if (now[item] == ItemNumbers::several) continue;
         if (items.size() <= now[item]) items.resize(now[item] + 1);
         items[now[item]] = items_[item];
     }
     items_ = std::move(items);
     for (std::uint32_t& item : whole_) item = now[item];
+    std::erase(whole_, ItemNumbers::several);
 }
 
 void AlbedoFetch::clear() {

@@ -38,7 +38,7 @@ class AlbedoFetch {
     /// The pixel to fetch next, if any, none of them twice; `detail`, what is known so far, may be
     /// null.
     std::optional<Pixel> next(const DetailMap* detail);
-    /// Items have got other numbers: by former number, what it is now.
+    /// Items have got other numbers: by former number, what it is now, see ItemNumbers::add().
     void number_again(const std::vector<std::uint32_t>& now);
     /// Forgets all that is wanted.
     void clear();

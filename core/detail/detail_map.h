@@ -34,12 +34,18 @@ class ItemNumbers {
     std::uint32_t surface(std::uint32_t item) const {
         return static_cast<std::uint32_t>(seen_[item]);
     }
-    /// Adds what `others` number and these do not; what each of them is here.
+    /// Adds what `others` number and these do not; what each of them is here, `several` for a
+    /// surface that is a mirror here and was none there.
     std::vector<std::uint32_t> add(const ItemNumbers& others) {
         std::vector<std::uint32_t> here;
-        for (const std::uint64_t seen : others.seen_) here.push_back(number(seen));
+        for (const std::uint64_t seen : others.seen_) {
+            const bool parted =
+                seen >> 32 == Sample::no_reflection && is_mirror(static_cast<std::uint32_t>(seen));
+            here.push_back(parted ? several : number(seen));
+        }
         return here;
     }
+    static constexpr std::uint32_t several = 0xffffffff;
 
    private:
     std::uint32_t number(std::uint64_t seen) {
@@ -73,7 +79,9 @@ class DetailMap {
 
     /// Takes what was drawn, before rays tell anything. Sizes must agree, and mirrors.
     void accept(const ItemBuffer& drawn, ItemNumbers& numbers);
-    /// Takes what rays have told another map of the same size, whose items have these numbers here.
+    /// Takes what rays have told another map of the same size, whose items have these numbers here,
+    /// see ItemNumbers::add(); where they met a mirror that was not known as one, it shows what was
+    /// drawn.
     void accept_told(const DetailMap& other, std::span<const std::uint32_t> numbers);
     /// Takes an albedo ray through a pixel's centre.
     void accept_albedo(Pixel pixel, const Sample& sample, ItemNumbers& numbers);

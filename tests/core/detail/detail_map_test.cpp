@@ -102,6 +102,30 @@ TEST(ItemNumbers, AreAddedToOthers) {
     EXPECT_EQ(some.surface(4), 9u);
 }
 
+TEST(ItemNumbers, OfASurfaceThatBecomesAMirrorAreSeveral) {
+    ItemNumbers before, now;
+    before.of(9);
+    before.of(3);
+    now.set_mirrors({9});
+    EXPECT_EQ(now.add(before), (std::vector<std::uint32_t>{ItemNumbers::several, 0}));
+}
+
+TEST(DetailMap, WhatARayMetInAMirrorIsAsDrawn) {
+    ItemNumbers numbers;
+    DetailMap map(width, height);
+    const Pixel p = 3 * width + 7;
+    map.accept_albedo(p, albedo_ray(20, {1, 2, 3}), numbers);
+    ItemBuffer buffer = columns();
+    buffer.mirrors = {20};
+    buffer.mirrored.assign(pixels, 30);
+    const DrawnDetail drawn(buffer);
+    ItemNumbers all = drawn.numbers();
+    DetailMap now = drawn.map();
+    now.accept_told(map, all.add(numbers));
+    EXPECT_EQ(now.item(p), all.of(20, 30));
+    EXPECT_EQ(now.albedo(p), glm::vec3(1, 2, 3));
+}
+
 TEST(ItemNumbers, AreGivenInTheOrderOfMeeting) {
     ItemNumbers numbers;
     EXPECT_EQ(numbers.of(77), 0u);
