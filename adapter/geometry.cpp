@@ -63,13 +63,13 @@ void FaceCutter::cut() {
     }
 }
 
-/// POV-Ray's parallel lights shine in the direction from their position to `points_at`; area lights
-/// are taken by their centre.
+/// POV-Ray's parallel lights shine in the direction from their position to `points_at`. Area lights
+/// are left out: their shadows fade, and an edge in the middle of that would be a step that is none.
 std::vector<PointLight> point_lights(const SceneDescription& scene) {
     std::vector<PointLight> lights;
     for (std::size_t i = 0; i < scene.lights.size(); ++i) {
         const LightDescription& light = scene.lights[i];
-        if (light.shadowless || light.in_group) continue;
+        if (light.shadowless || light.in_group || light.kind == LightKind::area) continue;
         lights.push_back({.position = light.parallel
                                           ? glm::dvec4(light.position - light.points_at, 0)
                                           : glm::dvec4(light.position, 1),

@@ -47,10 +47,9 @@ std::optional<glm::vec3> albedo_of(const DrawableScene& scene, const ImageLook& 
 std::optional<glm::vec3> albedo_of(const PatternLook& look, const PixelRays& rays,
                                    const glm::dvec2& place, double depth) {
     constexpr double doubt = 1e-13;  // of the depth; some hundred roundings
-    const auto albedo = pattern_albedo(look, rays.point(place, depth));
-    for (const double factor : {1 - doubt, 1 + doubt})
-        if (pattern_albedo(look, rays.point(place, depth * factor)) != albedo) return std::nullopt;
-    return albedo;
+    const auto before = pattern_albedo(look, rays.point(place, depth * (1 - doubt))),
+               behind = pattern_albedo(look, rays.point(place, depth * (1 + doubt)));
+    return before == behind ? before : std::nullopt;
 }
 
 }  // namespace

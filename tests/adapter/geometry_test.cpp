@@ -419,9 +419,9 @@ TEST(PolygonSceneOfGeometry, PointsThatAreNoNumbersLeaveTheOthersAlone) {
     EXPECT_EQ(scene->faces.size(), 2U);
 }
 
-TEST(PolygonSceneOfGeometry, OnlyLightsThatCastShadowsOnAll) {
+TEST(PolygonSceneOfGeometry, OnlyLightsThatCastSharpShadowsOnAll) {
     SceneDescription scene = description();
-    scene.lights.resize(4);
+    scene.lights.resize(5);
     scene.lights[0].shadowless = true;
     scene.lights[1].position = {1, 2, 3};
     scene.lights[1].colour = {.3, .6, .9};
@@ -429,6 +429,7 @@ TEST(PolygonSceneOfGeometry, OnlyLightsThatCastShadowsOnAll) {
     scene.lights[3].parallel = true;
     scene.lights[3].position = {0, 9, 0};
     scene.lights[3].points_at = {0, 2, 0};
+    scene.lights[4].kind = LightKind::area;
     const std::vector<PointLight> lights = polygon_scene({}, scene).value().lights;
     ASSERT_EQ(lights.size(), 2U);
     EXPECT_EQ(lights[0].position, glm::dvec4(1, 2, 3, 1));

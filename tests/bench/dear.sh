@@ -12,6 +12,7 @@ time_to_l1=$(realpath "$1") out=$2
 shift 2
 . "$(dirname "${BASH_SOURCE[0]}")/scenes.sh"
 size=(+W1920 +H1080 "$@")
+export POVPREVIEW_TRACER=${POVPREVIEW_TRACER:-$("$here/../../adapter/setup/build_tracer.sh" --where)}
 
 while read -r scene options; do
     path=$(scene_path "$scene") reference=$out/$(basename "$scene" .pov).png
