@@ -104,10 +104,8 @@ std::optional<Pixel> AdaptiveLattice::next(const DetailMap* detail) {
             if (unsampled) return pixel;
         }
         take_complete(detail);
-        if (heap_.empty()) return std::nullopt;
-        const LatticePoint centre = heap_.top().centre;
-        heap_.pop();
-        ask(centre);
+        if (open_.empty()) return std::nullopt;
+        ask(open_.pop());
     }
 }
 
@@ -137,7 +135,7 @@ void AdaptiveLattice::for_each_square(const Visit& visit) const {
 }
 
 void AdaptiveLattice::weigh(LatticePoint centre, const DetailMap* detail) {
-    heap_.push({weight(Diamond(centre), detail), centre});
+    open_.push(weight(Diamond(centre), detail), centre);
 }
 
 void AdaptiveLattice::accept(Pixel pixel, const RungLight& light) {
@@ -152,13 +150,13 @@ void AdaptiveLattice::accept(Pixel pixel, const RungLight& light) {
     lights_[lights_of_[pixel] - 1] = {light.illumination, light.remainder};
 }
 
-/// What is asked for already is in the heap no more, or idle there.
+/// What is asked for already is in the queue no more, or idle there.
 void AdaptiveLattice::accept_detail(const DetailMap& detail) {
-    std::priority_queue<Weighed> heap;
-    for (; !heap_.empty(); heap_.pop())
-        if (const LatticePoint centre = heap_.top().centre; state(centre) == State::open)
-            heap.push({weight(Diamond(centre), &detail), centre});
-    heap_ = std::move(heap);
+    BucketQueue<LatticePoint> before;
+    std::swap(before, open_);
+    while (!before.empty())
+        if (const LatticePoint centre = before.pop(); state(centre) == State::open)
+            weigh(centre, &detail);
 }
 
 /// What is known changed in the BF-square around the pixel.

@@ -7,11 +7,11 @@
 #include <glm/vec3.hpp>
 #include <memory>
 #include <optional>
-#include <queue>
 #include <span>
 #include <vector>
 
 #include "core/bf_squares.h"
+#include "core/bucket_queue.h"
 #include "core/detail/detail_map.h"
 #include "core/halved_triangles.h"
 #include "core/picture.h"
@@ -60,11 +60,6 @@ class AdaptiveLattice {
     struct Coming {
         LatticePoint point;
         std::size_t complete_after;  ///< answers, from the beginning
-    };
-    struct Weighed {
-        float weight;
-        LatticePoint centre;
-        bool operator<(const Weighed& other) const { return weight < other.weight; }
     };
     struct Light {
         glm::vec3 illumination, remainder;
@@ -122,11 +117,11 @@ class AdaptiveLattice {
     std::unique_ptr<glm::vec3[]> encoded_;  // by pixel: the known samples, unclamped
     std::vector<std::uint32_t> lights_of_;  // by pixel: 1 + number in lights_; empty: none is known
     std::vector<Light> lights_;
-    std::vector<State> states_;          // by point
-    std::size_t roots_left_ = 0;         // corners of the first squares that are on their way
-    std::deque<LatticePoint> asked_;     // to be asked for next, oldest first
-    std::deque<Coming> coming_;          // oldest first
-    std::priority_queue<Weighed> heap_;  // diamonds not halved yet, some of them twice
+    std::vector<State> states_;       // by point
+    std::size_t roots_left_ = 0;      // corners of the first squares that are on their way
+    std::deque<LatticePoint> asked_;  // to be asked for next, oldest first
+    std::deque<Coming> coming_;       // oldest first
+    BucketQueue<LatticePoint> open_;  // centres of diamonds not halved yet, some of them twice
 };
 
 }  // namespace povpreview
