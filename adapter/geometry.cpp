@@ -64,7 +64,8 @@ void FaceCutter::cut() {
 }
 
 /// POV-Ray's parallel lights shine in the direction from their position to `points_at`. Area lights
-/// are left out: their shadows fade, and an edge in the middle of that would be a step that is none.
+/// are left out: their shadows fade, and an edge in the middle of that would be a step that is
+/// none.
 std::vector<PointLight> point_lights(const SceneDescription& scene) {
     std::vector<PointLight> lights;
     for (std::size_t i = 0; i < scene.lights.size(); ++i) {
