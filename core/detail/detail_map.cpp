@@ -81,8 +81,10 @@ void DetailMap::accept_told(const DetailMap& other, std::span<const std::uint32_
         if (!other.told_[pixel]) continue;
         told_[pixel] = true;
         const std::uint32_t item = other.items_[pixel];
-        if (item == unknown || numbers[item] != ItemNumbers::several)
-            set_item(pixel, item == unknown ? unknown : numbers[item]);
+        if (item == unknown)
+            set_item(pixel, unknown);
+        else if (numbers[item] != ItemNumbers::several)
+            set_item(pixel, numbers[item]);
         set_state(pixel, other.states_[pixel]);
         albedos_.set(pixel, other.albedos_[pixel]);
     }

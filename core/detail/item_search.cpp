@@ -4,7 +4,6 @@
 #include <unistd.h>
 
 #include "core/detail/item_painter.h"
-#include "core/detail/mirrored_items.h"
 
 namespace povpreview {
 
@@ -37,7 +36,7 @@ void ItemSearch::wait_for(std::chrono::milliseconds patience) {
 
 void ItemSearch::run() {
     // Painting takes as long as many samples do, and edges and textures are worth a part of what
-    // those are: at 1920x1080 it delays an error of .02 by an eighth if it gets an equal share of
+    // those are: at 1920x1080 it delays an error of .02 by a fifth if it gets an equal share of
     // two processors (seven scenes of dear.sh). Where there are more, it gets those left over.
     [[maybe_unused]] const int niceness = nice(5);
     if (const Scene scene = make_scene_(); scene && !stop_) paint(*scene);

@@ -187,12 +187,12 @@ std::vector<std::uint32_t> known_mirrors(const std::vector<Mirror>& mirrors,
     return result;
 }
 
-}  // namespace
-
 bool may_mirror(const DrawableScene& scene) {
     return std::any_of(scene.looks.begin(), scene.looks.end(),
                        [](const Look& look) { return look.mirror >= least_mirror; });
 }
+
+}  // namespace
 
 std::vector<MirrorView> paint_mirrored(const DrawableScene& scene, const PixelRays& rays,
                                        const ItemCanvas& canvas, const std::atomic<bool>& stop,

@@ -42,9 +42,8 @@ struct MirrorView {
 ///      eye's image  .'
 ///                .'
 ///
-/// Allocates nothing where nothing is a mirror, as may_mirror() tells beforehand. Ends early, with
-/// a result of no use, when `stop` is set.
-bool may_mirror(const DrawableScene& scene);
+/// Allocates nothing where nothing is a mirror. Ends early, with a result of no use, when `stop` is
+/// set.
 std::vector<MirrorView> paint_mirrored(const DrawableScene& scene, const PixelRays& rays,
                                        const ItemCanvas& canvas, const std::atomic<bool>& stop,
                                        ItemBuffer& items);
