@@ -125,12 +125,15 @@ class MeshPreviewer : public Previewer {
     Stage rising_stage() const;
     double vertex_share() const;
 
+    // The first samples (mesh_first_samples.cpp).
     std::vector<Pixel> first_grid();
     std::vector<int> grid_lines(int pixels) const;
     int lattice_side() const;
     void learn_cost(const Sample& sample);
     bool seem_cheap() const;
     bool cost_known() const { return grid_costs_.size() == grid_.size(); }
+
+    // What is asked for after them.
     bool is_dense(std::size_t square) const;
     std::optional<Request> request(Pending pending);
     std::optional<Request> next_in_lattice();
