@@ -122,7 +122,11 @@ class CurvedDrawing {
    public:
     CurvedDrawing(const DrawableScene& scene, const CurvedObject& object, const PixelRays& rays,
                   ItemCanvas& canvas)
-        : scene_(scene), object_(object), rays_(rays), canvas_(canvas) {
+        : scene_(scene),
+          object_(object),
+          rays_(rays),
+          canvas_(canvas),
+          nearest_(greatest_nearness(rays, object.bounds)) {
         const auto slot = [&](std::uint32_t solid) {
             const auto found = std::find(solids_.begin(), solids_.end(), solid);
             if (found != solids_.end()) return static_cast<std::int32_t>(found - solids_.begin());
@@ -162,6 +166,23 @@ class CurvedDrawing {
 
    private:
     void draw_row(int y, int left, int right) {
+        bool prepared = false;
+        for (int x = left; x < right; x += ray_lanes) {
+            const int count = std::min(right - x, ray_lanes);
+            if (is_hidden(x, y, count)) continue;
+            if (!prepared) prepare_row(y, left, right);
+            prepared = true;
+            draw_block(x, y, count);
+        }
+    }
+
+    /// Whether all of the object is behind what these pixels show.
+    bool is_hidden(int x, int y, int count) const {
+        const double* shown = canvas_.nearness_from(canvas_.index(x, y));
+        return std::all_of(shown, shown + count, [&](double at) { return at > nearest_; });
+    }
+
+    void prepare_row(int y, int left, int right) {
         const double length = glm::length(rays_.direction({(left + right) / 2., y + .5}));
         in_world_ = row_rays(rays_, glm::dmat4x3(1), y + .5);
         for (std::size_t i = 0; i < solids_.size(); ++i) {
@@ -169,8 +190,6 @@ class CurvedDrawing {
             rows_[i] = row_rays(rays_, solid.to_frame, y + .5);
             units_[i] = solid.kind == Solid::Kind::half_space ? length * z_scale(solid) : 0;
         }
-        for (int x = left; x < right; x += ray_lanes)
-            draw_block(x, y, std::min(right - x, ray_lanes));
     }
 
     std::span<const CurvedPiece> pieces() const {
@@ -301,6 +320,7 @@ class CurvedDrawing {
     const CurvedObject& object_;
     const PixelRays& rays_;
     ItemCanvas& canvas_;
+    const double nearest_;
     std::size_t work_ = 0;
     std::vector<std::uint32_t> solids_;              // that it needs; a slot is a place among them
     std::vector<std::int32_t> piece_slots_;          // by piece
@@ -385,11 +405,13 @@ void hide_behind(const Bounds& box, const PixelRays& rays, ItemCanvas& canvas) {
 struct Drawn {
     const CurvedObject* object;
     PixelBox box;
-    double work;  ///< for each of those
+    double work;     ///< for each of those
+    double nearest;  ///< greatest_nearness()
     double pixels() const { return double(box.right - box.left) * double(box.bottom - box.top); }
 };
 
-/// The objects that are worth drawing, in their order; those that are not are put to the unknown.
+/// The objects that are worth drawing, the nearest first, so that they hide others before these are
+/// drawn; those that are not are put to the unknown.
 std::vector<Drawn> choose(const DrawableScene& scene, const PixelRays& rays, ItemCanvas& canvas,
                           std::vector<Bounds>& unknown) {
     std::vector<Drawn> objects;
@@ -401,8 +423,9 @@ std::vector<Drawn> choose(const DrawableScene& scene, const PixelRays& rays, Ite
         const PixelBox box = common_box(
             pixel_box(rays, object.bounds, canvas.width(), canvas.height()), canvas.area());
         if (box.top >= box.bottom || box.left >= box.right) continue;
-        objects.push_back(
-            {&object, box, CurvedDrawing(scene, object, rays, canvas).work_a_pixel(box)});
+        objects.push_back({&object, box,
+                           CurvedDrawing(scene, object, rays, canvas).work_a_pixel(box),
+                           greatest_nearness(rays, object.bounds)});
     }
     std::vector<std::size_t> cheapest_first(objects.size());
     std::iota(cheapest_first.begin(), cheapest_first.end(), std::size_t{0});
@@ -421,6 +444,8 @@ std::vector<Drawn> choose(const DrawableScene& scene, const PixelRays& rays, Ite
         drawn.object = nullptr;
     }
     std::erase_if(objects, [](const Drawn& drawn) { return drawn.object == nullptr; });
+    std::stable_sort(objects.begin(), objects.end(),
+                     [](const Drawn& a, const Drawn& b) { return a.nearest > b.nearest; });
     return objects;
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/glm.hpp>
+#include <limits>
 
 namespace povpreview {
 
@@ -13,6 +14,12 @@ namespace {
 constexpr double margin = 1;
 
 bool finite(const glm::dvec3& v) { return std::isfinite(v.x + v.y + v.z); }
+
+/// The i-th of eight; the lower four have the lower z.
+glm::dvec3 corner_of(const Bounds& box, int i) {
+    return {i & 1 ? box.high.x : box.low.x, i & 2 ? box.high.y : box.low.y,
+            i & 4 ? box.high.z : box.low.z};
+}
 
 glm::dvec3 matrix_row(const glm::dmat4x3& m, int i) { return {m[0][i], m[1][i], m[2][i]}; }
 
@@ -117,11 +124,7 @@ PixelBox pixel_box(const PixelRays& rays, const Bounds& bounds, int width, int h
     const PixelBox whole{0, 0, width, height};
     if (!finite(bounds.low) || !finite(bounds.high)) return whole;
     PixelBox box{width, height, 0, 0};
-    const auto corner = [&](int i) {
-        return rays.project({i & 1 ? bounds.high.x : bounds.low.x,
-                             i & 2 ? bounds.high.y : bounds.low.y,
-                             i & 4 ? bounds.high.z : bounds.low.z});
-    };
+    const auto corner = [&](int i) { return rays.project(corner_of(bounds, i)); };
     constexpr int sides[6][4] = {{0, 1, 3, 2}, {4, 5, 7, 6}, {0, 1, 5, 4},
                                  {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 3, 7, 5}};
     std::vector<Projected> polygon;
@@ -148,6 +151,20 @@ PixelBox pixel_box(const PixelRays& rays, const Bounds& bounds, int width, int h
         for (const Projected& p : polygon) include(p);
     }
     return box;
+}
+
+double greatest_nearness(const PixelRays& rays, const Bounds& bounds) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    // POV-Ray knows its bounding boxes in single precision.
+    constexpr double doubt = 1e-6;
+    if (!finite(bounds.low) || !finite(bounds.high)) return infinity;
+    const glm::dvec3 slack = doubt * glm::max(glm::abs(bounds.low), glm::abs(bounds.high));
+    const Bounds box{bounds.low - slack, bounds.high + slack};
+    double depth = infinity;
+    for (int i = 0; i < 8; ++i) depth = std::min(depth, rays.project(corner_of(box, i)).depth);
+    if (!rays.orthographic && depth < nearest_depth) return infinity;
+    const double nearness = rays.nearness(depth);
+    return nearness + doubt * std::abs(nearness);
 }
 
 }  // namespace povpreview

@@ -71,4 +71,7 @@ PixelBox common_box(const PixelBox& a, const PixelBox& b);
 /// The pixels that may show something within the bounds.
 PixelBox pixel_box(const PixelRays& rays, const Bounds& bounds, int width, int height);
 
+/// Nothing within the bounds is nearer than this; infinity where that is not known.
+double greatest_nearness(const PixelRays& rays, const Bounds& bounds);
+
 }  // namespace povpreview
