@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/colour.h"
+#include "core/detail/runs.h"
 
 namespace povpreview {
 
@@ -40,21 +41,23 @@ void DetailMap::set_state(Pixel pixel, Albedo state) {
 
 void DetailMap::accept(const ItemBuffer& drawn, ItemNumbers& numbers) {
     assert(drawn.width == width_ && drawn.height == height_);
-    // Neighbours mostly show the same.
-    for (Pixel begin = 0, end = 0; begin < pixels(); begin = end) {
+    const auto end_of_same = [](const auto& of, Pixel begin, Pixel end) {
+        return static_cast<Pixel>(end_of_run(of.begin() + begin, of.begin() + end) - of.begin());
+    };
+    const Pixel all = static_cast<Pixel>(pixels());
+    for (Pixel begin = 0, end = 0; begin < all; begin = end) {
         const std::uint32_t surface = drawn.surfaces[begin];
         const bool is_mirror = numbers.is_mirror(surface);
-        const std::uint32_t mirrored = is_mirror ? drawn.mirrored[begin] : 0;
-        while (end < pixels() && drawn.surfaces[end] == surface &&
-               drawn.kinds[end] == drawn.kinds[begin] &&
-               (!is_mirror || drawn.mirrored[end] == mirrored))
-            ++end;
+        end = end_of_same(drawn.surfaces, begin, all);
+        end = end_of_same(drawn.kinds, begin, end);
+        if (is_mirror) end = end_of_same(drawn.mirrored, begin, end);
         if (surface == ItemBuffer::unknown) continue;
         if (!is_mirror)
             set_items(begin, end, numbers.of(surface));
+        else if (drawn.mirrored[begin] == ItemBuffer::unknown)
+            set_items(begin, end, unknown);
         else
-            set_items(begin, end,
-                      mirrored == ItemBuffer::unknown ? unknown : numbers.of(surface, mirrored));
+            set_items(begin, end, numbers.of(surface, drawn.mirrored[begin]));
         accept_look(drawn, begin, end);
     }
 }
@@ -132,15 +135,14 @@ std::vector<DetailMap::Extent> DetailMap::extents(const ItemNumbers& numbers) co
     std::vector<Pixel> longest(extents.size());
     const auto width = static_cast<Pixel>(width_);
     for (Pixel row = 0; row < pixels(); row += width)
-        for (Pixel x = 0; x < width;) {
-            const std::uint32_t item = items_[row + x];
-            const Pixel start = x;
-            while (x < width && items_[row + x] == item) ++x;
+        for (Pixel begin = row, end = row; begin < row + width; begin = end) {
+            const std::uint32_t item = items_[begin];
+            end = static_cast<Pixel>(items_.end_of_run(begin, row + width));
             if (item == unknown) continue;
-            extents[item].pixels += x - start;
-            if (x - start <= longest[item]) continue;
-            longest[item] = x - start;
-            extents[item].middle = row + (start + x) / 2;
+            extents[item].pixels += end - begin;
+            if (end - begin <= longest[item]) continue;
+            longest[item] = end - begin;
+            extents[item].middle = begin + (end - begin) / 2;
         }
     return extents;
 }

@@ -74,9 +74,9 @@ void draw_polygon(const std::vector<glm::dvec2>& corners, const Nearness& plane,
         }
         if (!(left <= right)) continue;
         const int end = first_from(right, area.left, area.right);
-        for (int x = first_from(left, area.left, area.right); x < end; ++x)
-            canvas.draw(canvas.index(x, y), plane.base + plane.across * (x + .5) + plane.down * row,
-                        source);
+        canvas.draw_row(
+            y, first_from(left, area.left, area.right), end,
+            [&](int x) { return plane.base + plane.across * (x + .5) + plane.down * row; }, source);
     }
 }
 

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <vector>
 
+#include "core/detail/pixel_memory.h"
 #include "core/detail/pixel_rays.h"
+#include "core/detail/runs.h"
 
 namespace povpreview {
 
@@ -25,6 +29,7 @@ class ItemCanvas {
     /// Share of the nearness by which rounding, ours and the ray tracer's, may move a surface.
     static constexpr double coincidence = 1e-9;
 
+    /// Nothing may be read or drawn before clear() or close().
     ItemCanvas(int width, int height)
         : width_(width),
           height_(height),
@@ -44,27 +49,34 @@ class ItemCanvas {
 
     /// Pixels outside of it take nothing.
     const PixelBox& area() const { return area_; }
-    /// Closes all pixels; those within the area are to be opened.
-    void close_all(const PixelBox& area) {
-        planes_->limits.resize(planes_->nearness.size());
-        for (int y = area_.top; y < area_.bottom; ++y)  // beyond it they are closed
-            for (std::size_t pixel = index(0, y); pixel < index(0, y + 1); ++pixel) {
-                planes_->nearness[pixel] = std::numeric_limits<double>::infinity();
-                planes_->sources[pixel] = unknown;
-                planes_->limits[pixel] = -std::numeric_limits<double>::infinity();
-            }
+    /// Nothing is shown, and there is no limit.
+    void clear() { fill(-infinity, nothing); }
+    /// Nothing can be told of any pixel.
+    void hide_all() { fill(infinity, unknown); }
+    /// From now on only these pixels may be drawn to, when they have been closed and some of them
+    /// opened.
+    void limit_to(const PixelBox& area) {
+        if (!planes_->limits) planes_->limits.emplace(index(0, height_));
         ties_.clear();
         area_ = area;
     }
+    /// All pixels of the area. REQUIRES: limit_to().
+    void close() {
+        hide_all();
+        for (int y = area_.top; y < area_.bottom; ++y)
+            std::fill(&(*planes_->limits)[index(area_.left, y)],
+                      &(*planes_->limits)[index(area_.left, y)] + (area_.right - area_.left),
+                      -infinity);
+    }
     /// What is no farther than the limit is not drawn.
     void open(std::size_t pixel, double limit) {
-        planes_->nearness[pixel] = -std::numeric_limits<double>::infinity();
+        planes_->nearness[pixel] = -infinity;
         planes_->sources[pixel] = nothing;
-        planes_->limits[pixel] = limit - coincidence * std::abs(limit);
+        (*planes_->limits)[pixel] = limit - coincidence * std::abs(limit);
     }
     /// Whether something with this nearness is too near to be drawn.
     bool too_near(std::size_t pixel, double nearness) const {
-        return !planes_->limits.empty() && !(nearness < planes_->limits[pixel]);
+        return planes_->limits && !(nearness < (*planes_->limits)[pixel]);
     }
 
     int width() const { return width_; }
@@ -74,6 +86,11 @@ class ItemCanvas {
     /// Of the pixels from this one on.
     const double* nearness_from(std::size_t pixel) const { return &planes_->nearness[pixel]; }
     Source source(std::size_t pixel) const { return planes_->sources[pixel]; }
+    /// The first pixel from `begin` on that shows another source, or `end`.
+    std::size_t end_of_run(std::size_t begin, std::size_t end) const {
+        const Source* sources = &planes_->sources[0];
+        return std::size_t(povpreview::end_of_run(sources + begin, sources + end) - sources);
+    }
 
     /// Draws where it is nearer than what is there. Of two that coincide none is known to be seen.
     void draw(std::size_t pixel, double nearness, Source source) {
@@ -88,9 +105,25 @@ class ItemCanvas {
         at = nearness;
         shown = source;
     }
+    /// The same of some in a row, [left, right), where nearness_at(x) tells how near.
+    template <class NearnessAt>
+    void draw_row(int y, int left, int right, const NearnessAt& nearness_at, Source source) {
+        double* const shown = &planes_->nearness[index(0, y)];
+        Source* const sources = &planes_->sources[index(0, y)];
+        const bool unlimited = !planes_->limits;
+        for (int x = left; x < right; ++x) {
+            const double nearness = nearness_at(x), slack = coincidence * std::abs(nearness);
+            if (unlimited && nearness > shown[x] + slack) {
+                shown[x] = nearness;
+                sources[x] = source;
+            } else {
+                draw(index(x, y), nearness, source);
+            }
+        }
+    }
     /// Hides what is not nearer than this behind something unknown.
     void hide(std::size_t pixel, double nearness) {
-        if (too_near(pixel, nearness)) nearness = planes_->limits[pixel];
+        if (too_near(pixel, nearness)) nearness = (*planes_->limits)[pixel];
         if (nearness < planes_->nearness[pixel]) return;
         planes_->nearness[pixel] = nearness;
         planes_->sources[pixel] = unknown;
@@ -110,15 +143,22 @@ class ItemCanvas {
     }
 
    private:
-    /// By pixel.
+    static constexpr double infinity = std::numeric_limits<double>::infinity();
+
     struct Planes {
-        explicit Planes(std::size_t pixels)
-            : nearness(pixels, -std::numeric_limits<double>::infinity()),
-              sources(pixels, nothing) {}
-        std::vector<double> nearness;
-        std::vector<Source> sources;
-        std::vector<double> limits{};  // of a mirror's canvas
+        explicit Planes(std::size_t pixels) : nearness(pixels), sources(pixels) {}
+        PixelMemory<double> nearness;
+        PixelMemory<Source> sources;
+        std::optional<PixelMemory<double>> limits{};  // of a mirror's canvas
     };
+    void fill(double nearness, Source source) {
+        for (int y = area_.top; y < area_.bottom; ++y) {
+            const std::size_t first = index(area_.left, y),
+                              count = std::size_t(area_.right - area_.left);
+            std::fill_n(&planes_->nearness[first], count, nearness);
+            std::fill_n(&planes_->sources[first], count, source);
+        }
+    }
     ItemCanvas(const ItemCanvas& whole, const PixelBox& area)
         : width_(whole.width_), height_(whole.height_), planes_(whole.planes_), area_(area) {}
 

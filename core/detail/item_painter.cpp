@@ -32,8 +32,7 @@ class Reading {
             result_.albedos.resize(pixels);
         for_each_band(0, result_.height, rows_for_threads(result_.height),
                       [&](int, int top, int bottom) {
-                          for (int y = top; y < bottom; ++y)
-                              for (int x = 0; x < result_.width; ++x) read(x, y);
+                          for (int y = top; y < bottom; ++y) read_row(y);
                       });
         for (const ItemCanvas::Tie& tie : canvas_.ties())
             if (canvas_.stands(tie) &&
@@ -43,20 +42,35 @@ class Reading {
     }
 
    private:
-    /// Whether samples tell of what is seen in the surface (see Sample).
-    bool shows_more(Source source) const {
-        const Look* look = look_of(scene_, source);
-        return look && is_plain_mirror(*look);
+    void read_row(int y) {
+        const std::size_t row = canvas_.index(0, y), end = canvas_.index(0, y + 1);
+        for (std::size_t first = row, last = row; first < end; first = last) {
+            last = canvas_.end_of_run(first, end);
+            std::fill_n(result_.surfaces.begin() + std::ptrdiff_t(first), last - first,
+                        surface_of(scene_, canvas_.source(first)));
+            read_look(y, first, last);
+        }
     }
 
-    void read(int x, int y) {
-        const std::size_t pixel = canvas_.index(x, y);
-        const Source source = canvas_.source(pixel);
-        result_.surfaces[pixel] = surface_of(scene_, source);
-        const SeenLook look =
-            seen_look(scene_, rays_, glm::dvec2(x + .5, y + .5), canvas_.nearness(pixel), source);
-        result_.kinds[pixel] = shows_more(source) ? Look::Kind::traced : look.kind;
-        if (look.albedo) result_.albedos[pixel] = *look.albedo;
+    /// Of pixels of one source in a row.
+    void read_look(int y, std::size_t first, std::size_t last) {
+        const Source source = canvas_.source(first);
+        const auto look_at = [&](std::size_t pixel) {
+            const glm::dvec2 place(double(pixel - canvas_.index(0, y)) + .5, y + .5);
+            return seen_look(scene_, rays_, place, canvas_.nearness(pixel), source);
+        };
+        const Look* look = look_of(scene_, source);
+        if (!look || !has_albedo(*look)) {
+            const Look::Kind kind =
+                look && is_plain_mirror(*look) ? Look::Kind::traced : look_at(first).kind;
+            std::fill_n(result_.kinds.begin() + std::ptrdiff_t(first), last - first, kind);
+            return;
+        }
+        for (std::size_t pixel = first; pixel < last; ++pixel) {
+            const SeenLook seen = look_at(pixel);
+            result_.kinds[pixel] = seen.kind;
+            if (seen.albedo) result_.albedos[pixel] = *seen.albedo;
+        }
     }
 
     void forget(std::size_t pixel) {
@@ -74,11 +88,10 @@ class Reading {
 
 ItemPainting::ItemPainting(const DrawableScene& scene, const std::atomic<bool>& stop)
     : rays_(scene.polygons.camera), canvas_(scene.polygons.width, scene.polygons.height) {
-    if (!rays_.valid) {
-        for (std::size_t pixel = 0; pixel < canvas_.index(0, canvas_.height()); ++pixel)
-            canvas_.hide(pixel, 0);
-        return;
-    }
+    const bool valid = rays_.valid;
+    draw_bands(canvas_, rows_for_threads(canvas_.height()),
+               [valid](ItemCanvas& band) { valid ? band.clear() : band.hide_all(); });
+    if (!valid) return;
     draw_faces(scene.polygons, rays_, canvas_, stop);
     draw_curved(scene, rays_, canvas_, stop);
 }

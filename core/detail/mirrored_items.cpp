@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <glm/geometric.hpp>
 #include <map>
 #include <optional>
@@ -12,6 +13,7 @@
 #include "core/detail/face_items.h"
 #include "core/detail/item_sources.h"
 #include "core/detail/row_bands.h"
+#include "core/detail/runs.h"
 #include "core/detail/seen_look.h"
 
 namespace povpreview {
@@ -72,12 +74,26 @@ std::optional<MirrorPlane> mirror_of(const DrawableScene& scene, Source source) 
     return plane_of(scene.polygons, face);
 }
 
+/// Neighbours in a row, from `begin` to before `end`, that show one source.
+struct Run {
+    std::uint32_t begin, end;
+};
+
 /// The pixels that show mirrors in one plane.
 struct Mirror {
     MirrorPlane plane;
-    std::vector<std::uint32_t> pixels;
-    PixelBox box;
+    std::vector<Run> runs{};
+    std::size_t pixels = 0;  ///< in all of them
+    PixelBox box{};
 };
+
+/// Calls work(i) for each run, side by side.
+void for_each_run(const Mirror& mirror, const std::function<void(std::size_t)>& work) {
+    const int runs = static_cast<int>(mirror.runs.size());
+    for_each_band(0, runs, rows_for_threads(runs), [&](int, int first, int last) {
+        for (int i = first; i < last; ++i) work(std::size_t(i));
+    });
+}
 
 class MirrorSearch {
    public:
@@ -85,19 +101,17 @@ class MirrorSearch {
         : scene_(scene), rays_(rays), canvas_(canvas) {}
 
     std::vector<Mirror> find() {
-        // Neighbours mostly show the same source.
-        Source last = ItemCanvas::nothing;
-        int mirror = none;
-        for (int y = 0; y < canvas_.height(); ++y)
-            for (int x = 0; x < canvas_.width(); ++x) {
-                const Source source = canvas_.source(canvas_.index(x, y));
-                if (source != last) mirror = mirror_of_source(last = source);
-                if (mirror != none) add(mirrors_[static_cast<std::size_t>(mirror)], x, y);
+        for (int y = 0; y < canvas_.height(); ++y) {
+            const std::size_t end = canvas_.index(0, y + 1);
+            for (std::size_t begin = canvas_.index(0, y), next = begin; begin < end; begin = next) {
+                next = canvas_.end_of_run(begin, end);
+                const int mirror = mirror_of_source(canvas_.source(begin));
+                if (mirror != none) add(mirrors_[static_cast<std::size_t>(mirror)], y, begin, next);
             }
-        std::erase_if(mirrors_, [](const Mirror& m) { return m.pixels.size() < least_pixels; });
-        std::stable_sort(mirrors_.begin(), mirrors_.end(), [](const Mirror& a, const Mirror& b) {
-            return a.pixels.size() > b.pixels.size();
-        });
+        }
+        std::erase_if(mirrors_, [](const Mirror& m) { return m.pixels < least_pixels; });
+        std::stable_sort(mirrors_.begin(), mirrors_.end(),
+                         [](const Mirror& a, const Mirror& b) { return a.pixels > b.pixels; });
         if (mirrors_.size() > most_mirrors) mirrors_.resize(most_mirrors);
         return std::move(mirrors_);
     }
@@ -114,7 +128,7 @@ class MirrorSearch {
                                        [&](const Mirror& m) { return is_same(m.plane, *plane); });
         known->second = static_cast<int>(same - mirrors_.begin());
         if (same == mirrors_.end())
-            mirrors_.push_back({*plane, {}, {canvas_.width(), canvas_.height(), 0, 0}});
+            mirrors_.push_back({.plane = *plane, .box = {canvas_.width(), canvas_.height(), 0, 0}});
         return known->second;
     }
 
@@ -124,10 +138,13 @@ class MirrorSearch {
                std::abs(glm::dot(a.normal, b.through - a.through)) <= coplanar * far;
     }
 
-    void add(Mirror& mirror, int x, int y) const {
-        mirror.pixels.push_back(static_cast<std::uint32_t>(canvas_.index(x, y)));
+    void add(Mirror& mirror, int y, std::size_t begin, std::size_t end) const {
+        mirror.runs.push_back({static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)});
+        mirror.pixels += end - begin;
+        const int left = static_cast<int>(begin - canvas_.index(0, y)),
+                  right = static_cast<int>(end - canvas_.index(0, y));
         PixelBox& box = mirror.box;
-        box = {std::min(box.left, x), std::min(box.top, y), std::max(box.right, x + 1),
+        box = {std::min(box.left, left), std::min(box.top, y), std::max(box.right, right),
                std::max(box.bottom, y + 1)};
     }
 
@@ -143,42 +160,98 @@ glm::dvec2 centre_of(std::uint32_t pixel, int width) {
             pixel / static_cast<std::uint32_t>(width) + .5};
 }
 
-/// Draws what a mirror shows, and reads it into `mirrored`.
-MirrorView paint(const DrawableScene& scene, const PixelRays& rays, const ItemCanvas& canvas,
-                 const Mirror& mirror, ItemCanvas& reflection, const std::atomic<bool>& stop,
-                 std::vector<std::uint32_t>& mirrored) {
-    MirrorView view{rays.reflected(mirror.plane)};
-    const PixelRays& turned = view.rays;
-    reflection.close_all(mirror.box);
-    for (const std::uint32_t pixel : mirror.pixels) reflection.open(pixel, canvas.nearness(pixel));
+/// Draws what a mirror shows.
+void draw(const DrawableScene& scene, const PixelRays& turned, const ItemCanvas& canvas,
+          const Mirror& mirror, ItemCanvas& reflection, const std::atomic<bool>& stop) {
+    reflection.limit_to(mirror.box);
+    draw_bands(reflection, rows_for_threads(mirror.box.bottom - mirror.box.top),
+               [](ItemCanvas& band) { band.close(); });
+    for_each_run(mirror, [&](std::size_t i) {
+        const Run& run = mirror.runs[i];
+        for (std::uint32_t pixel = run.begin; pixel < run.end; ++pixel)
+            reflection.open(pixel, canvas.nearness(pixel));
+    });
     draw_faces(scene.polygons, turned, reflection, stop);
     draw_curved(scene, turned, reflection, stop);
-    for (const std::uint32_t pixel : mirror.pixels) {
-        const Source source = reflection.source(pixel);
-        if (is_plain_mirror(*look_of(scene, canvas.source(pixel))))
-            view.seen.push_back({pixel, source, reflection.nearness(pixel)});
-        mirrored[pixel] = surface_of(scene, source);
-        if (source == ItemCanvas::nothing || source == ItemCanvas::unknown) continue;
-        const double way =
-            turned.depth(reflection.nearness(pixel)) - rays.depth(canvas.nearness(pixel));
-        if (way * glm::length(turned.direction(centre_of(pixel, canvas.width()))) < touch)
-            mirrored[pixel] = ItemBuffer::unknown;
-    }
-    for (const ItemCanvas::Tie& tie : reflection.ties())
-        if (reflection.stands(tie) && surface_of(scene, tie.first) != surface_of(scene, tie.second))
-            mirrored[tie.pixel] = ItemBuffer::unknown;
-    return view;
 }
+
+/// Reads it.
+class MirrorReading {
+   public:
+    MirrorReading(const DrawableScene& scene, const PixelRays& rays, const ItemCanvas& canvas,
+                  const Mirror& mirror, const ItemCanvas& reflection)
+        : scene_(scene),
+          rays_(rays),
+          canvas_(canvas),
+          mirror_(mirror),
+          reflection_(reflection),
+          view_{rays.reflected(mirror.plane)} {}
+
+    MirrorView read(std::vector<std::uint32_t>& mirrored) {
+        std::size_t seen = 0;
+        for (const Run& run : mirror_.runs) {
+            places_.push_back(seen);
+            if (is_plain(run)) seen += run.end - run.begin;
+        }
+        view_.seen.resize(seen);
+        for_each_run(mirror_, [&](std::size_t i) {
+            const Run& run = mirror_.runs[i];
+            for (std::uint32_t pixel = run.begin; pixel < run.end; ++pixel)
+                mirrored[pixel] = surface_at(pixel);
+            if (!is_plain(run)) return;
+            for (std::uint32_t pixel = run.begin; pixel < run.end; ++pixel)
+                view_.seen[places_[i] + (pixel - run.begin)] = {pixel, reflection_.source(pixel),
+                                                                reflection_.nearness(pixel)};
+        });
+        for (const ItemCanvas::Tie& tie : reflection_.ties())
+            if (reflection_.stands(tie) &&
+                surface_of(scene_, tie.first) != surface_of(scene_, tie.second))
+                mirrored[tie.pixel] = ItemBuffer::unknown;
+        return std::move(view_);
+    }
+
+   private:
+    bool is_plain(const Run& run) const {
+        return is_plain_mirror(*look_of(scene_, canvas_.source(run.begin)));
+    }
+
+    std::uint32_t surface_at(std::uint32_t pixel) const {
+        const Source source = reflection_.source(pixel);
+        if (source != ItemCanvas::nothing && source != ItemCanvas::unknown) {
+            const double way = view_.rays.depth(reflection_.nearness(pixel)) -
+                               rays_.depth(canvas_.nearness(pixel));
+            const glm::dvec3 direction = view_.rays.direction(centre_of(pixel, canvas_.width()));
+            if (way * glm::length(direction) < touch) return ItemBuffer::unknown;
+        }
+        return surface_of(scene_, source);
+    }
+
+    const DrawableScene& scene_;
+    const PixelRays& rays_;
+    const ItemCanvas& canvas_;
+    const Mirror& mirror_;
+    const ItemCanvas& reflection_;
+    MirrorView view_;
+    std::vector<std::size_t> places_;  // of runs in the view
+};
 
 /// Surfaces of which it is known what they mirror, ascending.
 std::vector<std::uint32_t> known_mirrors(const std::vector<Mirror>& mirrors,
                                          const ItemBuffer& items) {
     std::map<std::uint32_t, std::size_t> known, pixels;
     for (const Mirror& mirror : mirrors)
-        for (const std::uint32_t pixel : mirror.pixels)
-            known[items.surfaces[pixel]] += items.mirrored[pixel] != ItemBuffer::unknown;
-    for (const std::uint32_t surface : items.surfaces)
-        if (const auto found = known.find(surface); found != known.end()) ++pixels[surface];
+        for (const Run& run : mirror.runs) {
+            const auto begin = items.mirrored.begin() + run.begin,
+                       end = items.mirrored.begin() + run.end;
+            known[items.surfaces[run.begin]] +=
+                run.end - run.begin - std::size_t(std::count(begin, end, ItemBuffer::unknown));
+        }
+    for (auto begin = items.surfaces.begin(), end = begin; begin != items.surfaces.end();
+         begin = end) {
+        end = end_of_run(begin, items.surfaces.end());
+        if (const auto found = known.find(*begin); found != known.end())
+            pixels[*begin] += std::size_t(end - begin);
+    }
     std::vector<std::uint32_t> result;
     for (const auto& [surface, count] : known)
         if (surface != ItemBuffer::unknown &&
@@ -203,9 +276,12 @@ std::vector<MirrorView> paint_mirrored(const DrawableScene& scene, const PixelRa
     items.mirrored.assign(items.surfaces.size(), ItemBuffer::unknown);
     ItemCanvas reflection(canvas.width(), canvas.height());
     std::vector<MirrorView> views;
-    for (const Mirror& mirror : mirrors)
-        if (!stop)
-            views.push_back(paint(scene, rays, canvas, mirror, reflection, stop, items.mirrored));
+    for (const Mirror& mirror : mirrors) {
+        if (stop) break;
+        draw(scene, rays.reflected(mirror.plane), canvas, mirror, reflection, stop);
+        views.push_back(
+            MirrorReading(scene, rays, canvas, mirror, reflection).read(items.mirrored));
+    }
     items.mirrors = known_mirrors(mirrors, items);
     if (!items.mirrors.empty()) return views;
     items.mirrored.clear();

@@ -7,6 +7,7 @@
 #include <glm/vec4.hpp>
 
 #include "core/colour.h"
+#include "core/detail/wide_vectors.h"
 
 namespace povpreview {
 namespace {
@@ -82,30 +83,36 @@ std::size_t hexagon_at(const glm::dvec3& p) {
     }
 }
 
-}  // namespace
-
-std::optional<glm::vec3> pattern_albedo(const PatternLook& look, const glm::dvec3& point) {
+/// Of the colour at a point of the world, in PatternLook::colours; nowhere where nothing is known.
+constexpr std::size_t nowhere = 3;
+std::size_t number_at(const PatternLook& look, const glm::dvec3& point) {
     const glm::dvec3 p = look.to_pattern * glm::dvec4(point, 1);
-    if (!within_reach(p)) return std::nullopt;
-    std::size_t number = 0;
+    if (!within_reach(p)) return nowhere;
     switch (look.kind) {
         case PatternLook::Kind::checker:
-            number = checker_at(p);
-            break;
+            return checker_at(p);
         case PatternLook::Kind::brick:
             if (!within_reach((p + glm::dvec3(nudge + look.mortar)) / look.brick_size) ||
                 !within_reach(glm::dvec3(look.mortar) / look.brick_size))
-                return std::nullopt;
-            number = brick_at(p, look.brick_size, look.mortar);
-            break;
+                return nowhere;
+            return brick_at(p, look.brick_size, look.mortar);
         case PatternLook::Kind::hexagon:
-            number = hexagon_at(p);
-            break;
-        default:
-            return std::nullopt;
+            return hexagon_at(p);
     }
-    const glm::vec3& colour = look.colours[number];
+    return nowhere;
+}
+
+}  // namespace
+
+POVPREVIEW_WIDE_VECTORS
+std::optional<glm::vec3> pattern_albedo(const PatternLook& look, const glm::dvec3& before,
+                                        const glm::dvec3& behind) {
+    std::size_t numbers[2];
+    for (int i = 0; i < 2; ++i) numbers[i] = number_at(look, i == 0 ? before : behind);
+    if (numbers[0] == nowhere || numbers[1] == nowhere) return std::nullopt;
+    const glm::vec3& colour = look.colours[numbers[0]];
     if (!finite(colour)) return std::nullopt;
+    if (numbers[1] != numbers[0] && look.colours[numbers[1]] != colour) return std::nullopt;
     return colour;
 }
 

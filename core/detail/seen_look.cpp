@@ -42,14 +42,11 @@ std::optional<glm::vec3> albedo_of(const DrawableScene& scene, const ImageLook& 
     return image_albedo(scene, look, point, by_uv ? uv(scene, point, source) : glm::dvec2(0));
 }
 
-/// Nothing where the surface lies in a border of the pattern, as well as depths are known: a ray's
-/// rounding would decide there, all over the surface.
 std::optional<glm::vec3> albedo_of(const PatternLook& look, const PixelRays& rays,
                                    const glm::dvec2& place, double depth) {
     constexpr double doubt = 1e-13;  // of the depth; some hundred roundings
-    const auto before = pattern_albedo(look, rays.point(place, depth * (1 - doubt))),
-               behind = pattern_albedo(look, rays.point(place, depth * (1 + doubt)));
-    return before == behind ? before : std::nullopt;
+    return pattern_albedo(look, rays.point(place, depth * (1 - doubt)),
+                          rays.point(place, depth * (1 + doubt)));
 }
 
 }  // namespace

@@ -30,7 +30,22 @@ class SharedPixels {
         block->values[pixel % per_block] = value;
     }
 
-    /// The same for those from `begin` to before `end`. Returns how many of them had the value
+    /// The first pixel from `begin` on with another value, or `end`. REQUIRES: begin < end.
+    std::size_t end_of_run(std::size_t begin, std::size_t end) const {
+        const T value = (*this)[begin];
+        for (std::size_t pixel = begin; pixel < end;) {
+            const std::size_t first = pixel % per_block,
+                              count = std::min(per_block - first, end - pixel);
+            const std::span part =
+                std::span(blocks_[pixel / per_block]->values).subspan(first, count);
+            const auto other = std::ranges::find_if(part, [&](const T& v) { return v != value; });
+            pixel += static_cast<std::size_t>(other - part.begin());
+            if (other != part.end()) return pixel;
+        }
+        return end;
+    }
+
+    /// Sets those from `begin` to before `end`. Returns how many of them had the value
     /// `counted`.
     std::size_t fill(std::size_t begin, std::size_t end, const T& value, const T& counted) {
         std::size_t count = 0;

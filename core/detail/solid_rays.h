@@ -6,21 +6,13 @@
 
 #include "core/detail/intricate_solid.h"
 #include "core/detail/pixel_rays.h"
+#include "core/detail/wide_vectors.h"
 
 namespace povpreview {
 
 /// Pixels of a row that are worked on at a time: enough for the compiler to use vectors.
 inline constexpr int ray_lanes = 16;
 using RayLanes = std::array<double, ray_lanes>;
-
-/// Compiled for wider vectors as well, where the machine has them; sanitizers know nothing of the
-/// choice made at the start of a program.
-#if defined(__x86_64__) && defined(__linux__) && !defined(__SANITIZE_ADDRESS__) && \
-    !defined(__SANITIZE_THREAD__)
-#define POVPREVIEW_WIDE_VECTORS __attribute__((target_clones("avx2", "default")))
-#else
-#define POVPREVIEW_WIDE_VECTORS
-#endif
 
 /// The rays of a row of pixels in a solid's own frame: from + x from_step + t (along + x
 /// along_step) for the pixel coordinate x and the depth t.

@@ -71,6 +71,24 @@ TEST(SharedPixels, CopiesChangeByThemselves) {
         for (std::size_t at = 0; at < count; ++at) ASSERT_EQ(shared[i][at], plain[i][at]);
 }
 
+TEST(SharedPixels, RunsEndWhereTheValueChangesOrAtTheEnd) {
+    constexpr std::size_t count = 20000;
+    SharedPixels<int> shared(count, 7);
+    std::vector<int> plain(count, 7);
+    std::mt19937 random(6);
+    for (int i = 0; i < 12; ++i) {
+        const std::size_t at = random() % count;
+        shared.set(at, i % 3);
+        plain[at] = i % 3;
+    }
+    for (std::size_t begin = 0; begin < count; begin += 1 + random() % 40) {
+        const std::size_t end = begin + 1 + random() % (count - begin);
+        std::size_t expected = begin;
+        while (expected < end && plain[expected] == plain[begin]) ++expected;
+        ASSERT_EQ(shared.end_of_run(begin, end), expected);
+    }
+}
+
 TEST(SharedPixels, CopiesAreForThreadsOfTheirOwn) {
     SharedPixels<int> all(20000, 0);
     for (std::size_t i = 0; i < 20000; ++i) all.set(i, int(i));

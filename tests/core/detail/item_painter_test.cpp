@@ -3,10 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <random>
 
+#include "core/detail/pixel_rays.h"
 #include "tests/core/detail/item_agreement.h"
 
 namespace povpreview::test {
@@ -227,6 +229,61 @@ TEST(ItemPainter, SolidGeometryOfRandomKind) {
         SCOPED_TRACE("seed " + std::to_string(seed));
         expect_right(made, 500);
     }
+}
+
+// The nearest are drawn first, and what is wholly behind them is not tried: neither may tell.
+TEST(ItemPainter, TheOrderOfObjectsChangesNothing) {
+    for (const bool orthographic : {false, true}) {
+        CameraPose pose = look_at({1, 2, -5}, {0, 0, 0});
+        if (orthographic) {
+            pose.orthographic = true;
+            pose.right *= 5.;
+            pose.up *= 5.;
+        }
+        ItemScene made(pose, width, height);
+        std::mt19937 random(11);
+        std::uniform_real_distribution<double> place(-2, 2), radius(.02, .6);
+        const auto point = [&] { return glm::dvec3(place(random), place(random), place(random)); };
+        for (int i = 0; i < 60; ++i) {
+            made.sphere(point(), radius(random));
+            made.cylinder(point(), point(), .3 * radius(random));
+            made.torus(point(), point(), radius(random), .1);
+        }
+        made.plane({0, 1, 0}, {0, -2, 0});
+        expect_right(made, 15000);
+        const ItemBuffer once = paint_items(made.scene, false);
+        for (int turn = 0; turn < 3; ++turn) {
+            std::shuffle(made.scene.objects.begin(), made.scene.objects.end(), random);
+            EXPECT_EQ(paint_items(made.scene, false).surfaces, once.surfaces);
+        }
+    }
+}
+
+TEST(PixelRays, NothingWithinBoundsIsNearer) {
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> place(-3, 3), part(0, 1);
+    const auto point = [&] { return glm::dvec3(place(random), place(random), place(random)); };
+    int known = 0;
+    for (int i = 0; i < 2000; ++i) {
+        CameraPose pose = look_at(point(), point());
+        pose.orthographic = i % 2 == 0;
+        const PixelRays rays(pose.straight(width, height));
+        const glm::dvec3 a = point(), b = a + .3 * point();
+        const Bounds box{glm::min(a, b), glm::max(a, b)};
+        const double greatest = greatest_nearness(rays, box);
+        known += std::isfinite(greatest);
+        for (int j = 0; j < 20; ++j) {
+            const glm::dvec3 inside =
+                glm::mix(box.low, box.high, glm::dvec3(part(random), part(random), part(random)));
+            const double depth = rays.project(inside).depth;
+            if (depth > 0) {
+                ASSERT_LE(rays.nearness(depth), greatest);
+            }
+        }
+    }
+    EXPECT_GT(known, 1000);
+    const PixelRays rays(look_at({0, 0, -5}, {0, 0, 0}).straight(width, height));
+    EXPECT_EQ(greatest_nearness(rays, everywhere), unbounded);
 }
 
 TEST(ItemPainter, WhatIsBehindAnUnknownBoxIsUnknown) {

@@ -28,7 +28,7 @@ PatternLook numbered(Kind kind) {
     return look;
 }
 int number(const PatternLook& look, const glm::dvec3& point) {
-    const auto albedo = pattern_albedo(look, point);
+    const auto albedo = pattern_albedo(look, point, point);
     return albedo ? static_cast<int>(albedo->r) : -1;
 }
 
