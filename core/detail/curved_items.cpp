@@ -121,11 +121,12 @@ double z_scale(const Solid& solid) {
 class CurvedDrawing {
    public:
     CurvedDrawing(const DrawableScene& scene, const CurvedObject& object, const PixelRays& rays,
-                  ItemCanvas& canvas)
+                  ItemCanvas& canvas, const PaintingPace& pace)
         : scene_(scene),
           object_(object),
           rays_(rays),
           canvas_(canvas),
+          pace_(pace),
           nearest_(greatest_nearness(rays, object.bounds)) {
         const auto slot = [&](std::uint32_t solid) {
             const auto found = std::find(solids_.begin(), solids_.end(), solid);
@@ -148,8 +149,9 @@ class CurvedDrawing {
         }
     }
 
-    void draw(const PixelBox& box, const std::atomic<bool>& stop) {
-        for (int y = box.top; y < box.bottom && !stop; ++y) draw_row(y, box.left, box.right);
+    void draw(const PixelBox& box) {
+        for (int y = box.top; y < box.bottom && !pace_.stopped(); ++y)
+            draw_row(y, box.left, box.right);
     }
 
     /// What that will take, for each of its pixels.
@@ -158,7 +160,7 @@ class CurvedDrawing {
             return most;
         // They are drawn again later, which changes nothing.
         const int rows = std::min(rows_tried, box.bottom - box.top);
-        for (int i = 0; i < rows; ++i)
+        for (int i = 0; i < rows && !pace_.stopped(); ++i)
             draw_row(box.top + (2 * i + 1) * (box.bottom - box.top) / (2 * rows), box.left,
                      box.right);
         return double(work_) / (double(rows) * double(box.right - box.left));
@@ -174,6 +176,7 @@ class CurvedDrawing {
             prepared = true;
             draw_block(x, y, count);
         }
+        pace_.row_done();
     }
 
     /// Whether all of the object is behind what these pixels show.
@@ -320,6 +323,7 @@ class CurvedDrawing {
     const CurvedObject& object_;
     const PixelRays& rays_;
     ItemCanvas& canvas_;
+    const PaintingPace& pace_;
     const double nearest_;
     std::size_t work_ = 0;
     std::vector<std::uint32_t> solids_;              // that it needs; a slot is a place among them
@@ -413,7 +417,7 @@ struct Drawn {
 /// The objects that are worth drawing, the nearest first, so that they hide others before these are
 /// drawn; those that are not are put to the unknown.
 std::vector<Drawn> choose(const DrawableScene& scene, const PixelRays& rays, ItemCanvas& canvas,
-                          std::vector<Bounds>& unknown) {
+                          const PaintingPace& pace, std::vector<Bounds>& unknown) {
     std::vector<Drawn> objects;
     for (const CurvedObject& object : scene.objects) {
         if (!sound(scene, object)) {
@@ -424,7 +428,7 @@ std::vector<Drawn> choose(const DrawableScene& scene, const PixelRays& rays, Ite
             pixel_box(rays, object.bounds, canvas.width(), canvas.height()), canvas.area());
         if (box.top >= box.bottom || box.left >= box.right) continue;
         objects.push_back({&object, box,
-                           CurvedDrawing(scene, object, rays, canvas).work_a_pixel(box),
+                           CurvedDrawing(scene, object, rays, canvas, pace).work_a_pixel(box),
                            greatest_nearness(rays, object.bounds)});
     }
     std::vector<std::size_t> cheapest_first(objects.size());
@@ -452,20 +456,20 @@ std::vector<Drawn> choose(const DrawableScene& scene, const PixelRays& rays, Ite
 }  // namespace
 
 void draw_curved(const DrawableScene& scene, const PixelRays& rays, ItemCanvas& canvas,
-                 const std::atomic<bool>& stop) {
+                 const PaintingPace& pace) {
     std::vector<Bounds> unknown = scene.unknown;
     if (rays.after_mirror)
         unknown.insert(unknown.end(), scene.unknown_in_mirrors.begin(),
                        scene.unknown_in_mirrors.end());
-    const std::vector<Drawn> objects = choose(scene, rays, canvas, unknown);
+    const std::vector<Drawn> objects = choose(scene, rays, canvas, pace, unknown);
     draw_bands(canvas, band_rows, [&](ItemCanvas& band) {
         for (const Drawn& drawn : objects) {
             const PixelBox box = common_box(drawn.box, band.area());
             if (box.top < box.bottom)
-                CurvedDrawing(scene, *drawn.object, rays, band).draw(box, stop);
+                CurvedDrawing(scene, *drawn.object, rays, band, pace).draw(box);
         }
         for (const Bounds& box : unknown)
-            if (!stop) hide_behind(box, rays, band);
+            if (!pace.stopped()) hide_behind(box, rays, band);
     });
 }
 

@@ -55,7 +55,7 @@ int first_from(double x, int first, int last) {
 }
 
 void draw_polygon(const std::vector<glm::dvec2>& corners, const Nearness& plane,
-                  ItemCanvas::Source source, ItemCanvas& canvas) {
+                  ItemCanvas::Source source, ItemCanvas& canvas, const PaintingPace& pace) {
     double top = corners[0].y, bottom = top;
     for (const glm::dvec2& p : corners) {
         top = std::min(top, p.y);
@@ -77,14 +77,15 @@ void draw_polygon(const std::vector<glm::dvec2>& corners, const Nearness& plane,
         canvas.draw_row(
             y, first_from(left, area.left, area.right), end,
             [&](int x) { return plane.base + plane.across * (x + .5) + plane.down * row; }, source);
+        pace.row_done();
     }
 }
 
 void draw_in_band(const PolygonScene& scene, const PixelRays& rays, ItemCanvas& canvas,
-                  const std::atomic<bool>& stop) {
+                  const PaintingPace& pace) {
     std::vector<Projected> clipped;
     std::vector<glm::dvec2> corners;
-    for (std::size_t f = 0; f < scene.faces.size() && !stop; ++f) {
+    for (std::size_t f = 0; f < scene.faces.size() && !pace.stopped(); ++f) {
         const Face& face = scene.faces[f];
         const bool seen = rays.after_mirror ? face.reflected : face.visible;
         if (!seen || face.count < 3) continue;
@@ -101,17 +102,17 @@ void draw_in_band(const PolygonScene& scene, const PixelRays& rays, ItemCanvas& 
             corners.push_back(p.pixel());
             sound = sound && std::isfinite(corners.back().x + corners.back().y);
         }
-        if (sound) draw_polygon(corners, *plane, static_cast<ItemCanvas::Source>(f), canvas);
+        if (sound) draw_polygon(corners, *plane, static_cast<ItemCanvas::Source>(f), canvas, pace);
     }
 }
 
 }  // namespace
 
 void draw_faces(const PolygonScene& scene, const PixelRays& rays, ItemCanvas& canvas,
-                const std::atomic<bool>& stop) {
+                const PaintingPace& pace) {
     const PixelBox& area = canvas.area();
     draw_bands(canvas, rows_for_threads(area.bottom - area.top),
-               [&](ItemCanvas& band) { draw_in_band(scene, rays, band, stop); });
+               [&](ItemCanvas& band) { draw_in_band(scene, rays, band, pace); });
 }
 
 }  // namespace povpreview

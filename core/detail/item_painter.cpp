@@ -19,8 +19,9 @@ using Source = ItemCanvas::Source;
 /// What a canvas shows, told in the scene's terms.
 class Reading {
    public:
-    Reading(const DrawableScene& scene, const PixelRays& rays, const ItemCanvas& canvas)
-        : scene_(scene), rays_(rays), canvas_(canvas) {}
+    Reading(const DrawableScene& scene, const PixelRays& rays, const ItemCanvas& canvas,
+            const PaintingPace& pace)
+        : scene_(scene), rays_(rays), canvas_(canvas), pace_(pace) {}
 
     ItemBuffer read() {
         result_.width = canvas_.width();
@@ -50,6 +51,7 @@ class Reading {
                         surface_of(scene_, canvas_.source(first)));
             read_look(y, first, last);
         }
+        pace_.row_done();
     }
 
     /// Of pixels of one source in a row.
@@ -81,28 +83,30 @@ class Reading {
     const DrawableScene& scene_;
     const PixelRays& rays_;
     const ItemCanvas& canvas_;
+    const PaintingPace& pace_;
     ItemBuffer result_;
 };
 
 }  // namespace
 
-ItemPainting::ItemPainting(const DrawableScene& scene, const std::atomic<bool>& stop)
-    : rays_(scene.polygons.camera), canvas_(scene.polygons.width, scene.polygons.height) {
+ItemPainting::ItemPainting(const DrawableScene& scene, const PaintingPace& pace)
+    : pace_(pace),
+      rays_(scene.polygons.camera),
+      canvas_(scene.polygons.width, scene.polygons.height) {
     const bool valid = rays_.valid;
     draw_bands(canvas_, rows_for_threads(canvas_.height()),
                [valid](ItemCanvas& band) { valid ? band.clear() : band.hide_all(); });
     if (!valid) return;
-    draw_faces(scene.polygons, rays_, canvas_, stop);
-    draw_curved(scene, rays_, canvas_, stop);
+    draw_faces(scene.polygons, rays_, canvas_, pace);
+    draw_curved(scene, rays_, canvas_, pace);
 }
 
 ItemBuffer ItemPainting::read(const DrawableScene& scene) const {
-    return Reading(scene, rays_, canvas_).read();
+    return Reading(scene, rays_, canvas_, pace_).read();
 }
 
-void ItemPainting::paint_mirrors(const DrawableScene& scene, const std::atomic<bool>& stop,
-                                 ItemBuffer& items) {
-    if (rays_.valid) mirror_views_ = paint_mirrored(scene, rays_, canvas_, stop, items);
+void ItemPainting::paint_mirrors(const DrawableScene& scene, ItemBuffer& items) {
+    if (rays_.valid) mirror_views_ = paint_mirrored(scene, rays_, canvas_, pace_, items);
     read_mirrored_looks(scene, items);
 }
 
@@ -110,10 +114,10 @@ void ItemPainting::read_mirrored_looks(const DrawableScene& scene, ItemBuffer& i
     povpreview::read_mirrored_looks(scene, mirror_views_, items);
 }
 
-ItemBuffer paint_items(const DrawableScene& scene, const std::atomic<bool>& stop) {
-    ItemPainting painting(scene, stop);
+ItemBuffer paint_items(const DrawableScene& scene, const PaintingPace& pace) {
+    ItemPainting painting(scene, pace);
     ItemBuffer items = painting.read(scene);
-    painting.paint_mirrors(scene, stop, items);
+    painting.paint_mirrors(scene, items);
     return items;
 }
 

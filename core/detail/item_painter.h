@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
-#include <atomic>
 #include <vector>
 
 #include "core/detail/item_buffer.h"
@@ -21,25 +20,26 @@ namespace povpreview {
 /// Equal scenes give equal buffers on any number of processors.
 class ItemPainting {
    public:
-    /// Paints the surfaces. Ends early, with a result of no use, when `stop` is set.
-    ItemPainting(const DrawableScene& scene, const std::atomic<bool>& stop);
+    /// Paints the surfaces. All ends early, with a result of no use, when it is stopped by the
+    /// pace, which must outlive it.
+    ItemPainting(const DrawableScene& scene, const PaintingPace& pace);
 
     /// What was painted, of the same scene; that may have got its images since.
     ItemBuffer read(const DrawableScene& scene) const;
     /// Adds what mirrors show, if there are any: the surfaces, and their looks.
-    void paint_mirrors(const DrawableScene& scene, const std::atomic<bool>& stop,
-                       ItemBuffer& items);
+    void paint_mirrors(const DrawableScene& scene, ItemBuffer& items);
     /// The looks alone, into what was read of the same scene, that may have got its images since.
     /// REQUIRES: it has the mirrors that were painted.
     void read_mirrored_looks(const DrawableScene& scene, ItemBuffer& items) const;
 
    private:
+    const PaintingPace& pace_;
     PixelRays rays_;
     ItemCanvas canvas_;
     std::vector<MirrorView> mirror_views_;
 };
 
 /// All of that.
-ItemBuffer paint_items(const DrawableScene& scene, const std::atomic<bool>& stop);
+ItemBuffer paint_items(const DrawableScene& scene, const PaintingPace& pace = {});
 
 }  // namespace povpreview

@@ -15,7 +15,7 @@ ItemSearch::ItemSearch(MakeScene make_scene, bool images_follow)
 ItemSearch::~ItemSearch() {
     {
         const std::lock_guard lock(mutex_);
-        stop_ = true;
+        pace_.stop();
     }
     changed_.notify_all();
     thread_.join();
@@ -37,9 +37,10 @@ void ItemSearch::wait_for(std::chrono::milliseconds patience) {
 void ItemSearch::run() {
     // Painting takes as long as many samples do, and edges and textures are worth a part of what
     // those are: at 1920x1080 it delays an error of .02 by a fifth if it gets an equal share of
-    // two processors (seven scenes of dear.sh). Where there are more, it gets those left over.
+    // two processors (seven scenes of dear.sh), and by another tenth if it does not keep to its
+    // PaintingPace. Where there are more, it gets those left over.
     [[maybe_unused]] const int niceness = nice(5);
-    if (const Scene scene = make_scene_(); scene && !stop_) paint(*scene);
+    if (const Scene scene = make_scene_(); scene && !pace_.stopped()) paint(*scene);
     {
         const std::lock_guard lock(mutex_);
         finished_ = true;
@@ -53,11 +54,11 @@ void ItemSearch::paint(const DrawableScene& scene) {
     const auto worked = [&] {
         seconds_ += std::chrono::duration<double>(Clock::now() - begun).count();
     };
-    ItemPainting painting(scene, stop_);
+    ItemPainting painting(scene, pace_);
     ItemBuffer items = painting.read(scene);
     DrawnDetail detail(items);
     publish(detail);
-    painting.paint_mirrors(scene, stop_, items);
+    painting.paint_mirrors(scene, items);
     if (!items.mirrors.empty()) {
         detail.accept(items);
         publish(detail);
@@ -78,15 +79,15 @@ void ItemSearch::paint(const DrawableScene& scene) {
 
 ItemSearch::Scene ItemSearch::wait_for_images() {
     std::unique_lock lock(mutex_);
-    changed_.wait(lock, [this] { return stop_ || make_scene_with_images_; });
-    if (stop_) return nullptr;
+    changed_.wait(lock, [this] { return pace_.stopped() || make_scene_with_images_; });
+    if (pace_.stopped()) return nullptr;
     const MakeScene make_scene = make_scene_with_images_;
     lock.unlock();
     return make_scene();
 }
 
 void ItemSearch::publish(const DrawnDetail& detail) {
-    if (stop_) return;
+    if (pace_.stopped()) return;
     published_.push_back(std::make_unique<const DrawnDetail>(detail));
     latest_ = published_.back().get();
 }

@@ -12,6 +12,7 @@
 
 #include "core/detail/drawable_scene.h"
 #include "core/detail/drawn_detail.h"
+#include "core/detail/painting_pace.h"
 
 namespace povpreview {
 
@@ -55,7 +56,8 @@ class ItemSearch {
     double seconds_ = 0;
 
     std::atomic<const DrawnDetail*> latest_{nullptr};
-    std::atomic<bool> stop_{false}, finished_{false};
+    std::atomic<bool> finished_{false};
+    PaintingPace pace_;
     std::mutex mutex_;
     std::condition_variable changed_;
     MakeScene make_scene_with_images_;

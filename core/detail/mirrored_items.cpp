@@ -162,7 +162,7 @@ glm::dvec2 centre_of(std::uint32_t pixel, int width) {
 
 /// Draws what a mirror shows.
 void draw(const DrawableScene& scene, const PixelRays& turned, const ItemCanvas& canvas,
-          const Mirror& mirror, ItemCanvas& reflection, const std::atomic<bool>& stop) {
+          const Mirror& mirror, ItemCanvas& reflection, const PaintingPace& pace) {
     reflection.limit_to(mirror.box);
     draw_bands(reflection, rows_for_threads(mirror.box.bottom - mirror.box.top),
                [](ItemCanvas& band) { band.close(); });
@@ -171,8 +171,8 @@ void draw(const DrawableScene& scene, const PixelRays& turned, const ItemCanvas&
         for (std::uint32_t pixel = run.begin; pixel < run.end; ++pixel)
             reflection.open(pixel, canvas.nearness(pixel));
     });
-    draw_faces(scene.polygons, turned, reflection, stop);
-    draw_curved(scene, turned, reflection, stop);
+    draw_faces(scene.polygons, turned, reflection, pace);
+    draw_curved(scene, turned, reflection, pace);
 }
 
 /// Reads it.
@@ -268,7 +268,7 @@ bool may_mirror(const DrawableScene& scene) {
 }  // namespace
 
 std::vector<MirrorView> paint_mirrored(const DrawableScene& scene, const PixelRays& rays,
-                                       const ItemCanvas& canvas, const std::atomic<bool>& stop,
+                                       const ItemCanvas& canvas, const PaintingPace& pace,
                                        ItemBuffer& items) {
     if (!may_mirror(scene)) return {};
     const std::vector<Mirror> mirrors = MirrorSearch(scene, rays, canvas).find();
@@ -277,8 +277,8 @@ std::vector<MirrorView> paint_mirrored(const DrawableScene& scene, const PixelRa
     ItemCanvas reflection(canvas.width(), canvas.height());
     std::vector<MirrorView> views;
     for (const Mirror& mirror : mirrors) {
-        if (stop) break;
-        draw(scene, rays.reflected(mirror.plane), canvas, mirror, reflection, stop);
+        if (pace.stopped()) break;
+        draw(scene, rays.reflected(mirror.plane), canvas, mirror, reflection, pace);
         views.push_back(
             MirrorReading(scene, rays, canvas, mirror, reflection).read(items.mirrored));
     }

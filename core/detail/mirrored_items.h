@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
-#include <atomic>
 #include <vector>
 
 #include "core/detail/item_buffer.h"
 #include "core/detail/item_canvas.h"
+#include "core/detail/painting_pace.h"
 #include "core/detail/pixel_rays.h"
 
 namespace povpreview {
@@ -42,10 +42,10 @@ struct MirrorView {
 ///      eye's image  .'
 ///                .'
 ///
-/// Allocates nothing where nothing is a mirror. Ends early, with a result of no use, when `stop` is
-/// set.
+/// Allocates nothing where nothing is a mirror. Ends early, with a result of no use, when it is
+/// stopped.
 std::vector<MirrorView> paint_mirrored(const DrawableScene& scene, const PixelRays& rays,
-                                       const ItemCanvas& canvas, const std::atomic<bool>& stop,
+                                       const ItemCanvas& canvas, const PaintingPace& pace,
                                        ItemBuffer& items);
 
 /// Gives pixels of mirrors of one colour the look of what is seen in them, as samples tell of that

@@ -37,9 +37,8 @@ class Spread {
 
 void paint(benchmark::State& state, const ItemScene& made) {
     std::size_t seen = 0;
-    const std::atomic<bool> stop{false};
     ItemBuffer buffer;
-    for (auto _ : state) buffer = paint_items(made.scene, stop);
+    for (auto _ : state) buffer = paint_items(made.scene);
     for (const std::uint32_t surface : buffer.surfaces) seen += surface != ItemBuffer::background;
     state.counters["covered %"] =
         100. * static_cast<double>(seen) / static_cast<double>(buffer.surfaces.size());

@@ -212,9 +212,8 @@ std::optional<Line> compare(const std::filesystem::path& path, const char* name,
     const std::vector<Sample> albedos = trace(oracle, *scene, RayKind::albedo, 1);
     const std::vector<Sample> full = trace(oracle, *scene, RayKind::full, 4);
     Line line;
-    const std::atomic<bool> stop{false};
     const Clock::time_point start = Clock::now();
-    const ItemBuffer painted = paint_items(*scene, stop);
+    const ItemBuffer painted = paint_items(*scene);
     line.painting = seconds_since(start);
     std::vector<Sample> probes;
     if (!painted.mirrors.empty()) probes = trace(oracle, *scene, RayKind::probe, 1);

@@ -165,8 +165,7 @@ class PatternLooks : public testing::TestWithParam<ImageScene> {
     static void expect_agreement(const std::string& start) {
         const WorkFolder folder;
         const Sampled all = sample(folder, start + GetParam().text);
-        const std::atomic<bool> stop = false;
-        const ItemBuffer items = paint_items(all.scene, stop);
+        const ItemBuffer items = paint_items(all.scene);
         std::size_t on_patterns = 0, right = 0;
         std::set<std::uint32_t> surfaces;
         for (const Sample& traced : all.samples) {

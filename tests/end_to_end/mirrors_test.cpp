@@ -41,8 +41,7 @@ class Mirrors : public testing::Test {
         oracle.wait_for_geometry(nullptr);
         const DrawableScene scene =
             drawable_scene(oracle.take_geometry().value(), description).value();
-        const std::atomic<bool> stop{false};
-        Painted result{paint_items(scene, stop), {}, {}};
+        Painted result{paint_items(scene), {}, {}};
         result.probes = trace(oracle, description, RayKind::probe);
         result.albedos = trace(oracle, description, RayKind::albedo);
         return result;

@@ -87,8 +87,7 @@ DrawableScene drawable_scene(Input& input) {
 void items(std::span<const std::byte> bytes) {
     Input input(bytes);
     const DrawableScene scene = drawable_scene(input);
-    const std::atomic<bool> stop{false};
-    const ItemBuffer buffer = paint_items(scene, stop);
+    const ItemBuffer buffer = paint_items(scene);
     const std::size_t pixels =
         std::size_t(scene.polygons.width) * std::size_t(scene.polygons.height);
     promise(buffer.width == scene.polygons.width && buffer.height == scene.polygons.height &&

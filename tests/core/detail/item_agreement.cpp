@@ -47,10 +47,7 @@ struct PaintedPixel {
 
 }  // namespace
 
-ItemBuffer painted(const DrawableScene& scene) {
-    const std::atomic<bool> stop{false};
-    return paint_items(scene, stop);
-}
+ItemBuffer painted(const DrawableScene& scene) { return paint_items(scene); }
 
 void expect_right(const ItemScene& made, std::size_t shown, double slack) {
     const ItemBuffer buffer = painted(made.scene);

@@ -291,10 +291,10 @@ TEST(MirroredItems, ImagesMayComeLater) {
     const ItemBuffer expected = painted(made.scene);
     DrawableScene without = made.scene;
     without.images.clear();
-    const std::atomic<bool> stop{false};
-    ItemPainting painting(without, stop);
+    const PaintingPace pace;
+    ItemPainting painting(without, pace);
     ItemBuffer first = painting.read(without);
-    painting.paint_mirrors(without, stop, first);
+    painting.paint_mirrors(without, first);
     EXPECT_EQ(first.mirrored, expected.mirrored);
     ItemBuffer then = painting.read(made.scene);
     then.mirrors = first.mirrors;

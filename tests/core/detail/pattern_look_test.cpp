@@ -212,8 +212,7 @@ ItemBuffer painted(double height, std::size_t& on_pattern) {
     made.material = 1;
     made.plane({0, 1, 0}, {0, height, 0});
     made.sphere({0, height + .9, 0}, .8);
-    const std::atomic<bool> stop = false;
-    ItemBuffer buffer = paint_items(made.scene, stop);
+    ItemBuffer buffer = paint_items(made.scene);
     on_pattern = 0;
     const ItemBuffer expected = made.expected();
     for (std::size_t i = 0; i < buffer.kinds.size(); ++i) {
