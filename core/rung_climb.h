@@ -24,8 +24,9 @@ struct RungStanding {
 };
 
 /// Where on the ladder of accuracy a previewer stands: it starts on the lowest rung and goes to the
-/// highest one that is ready, as soon as its picture stands on the lower one, or at once where the
-/// lower one gains nothing. A few positions are traced at both to learn what they cost.
+/// highest one that is ready, as soon as its picture stands on the lower one or that has taken a
+/// small part of what is to come, or at once where the lower one gains nothing. A few positions are
+/// traced at both to learn what they cost.
 class RungClimb {
    public:
     /// `first_samples`: those that any picture begins with.

@@ -140,6 +140,19 @@ TEST(RungClimb, StaysLowUntilThePictureStandsWhereTheNextRungIsDear) {
     EXPECT_FALSE(climb.standings()[0].dropped);
 }
 
+TEST(RungClimb, LeavesALowRungThatHasTakenATwentiethOfWhatIsToCome) {
+    RungClimb climb({{{"sketch"}, {"target"}}}, pixels, 100);
+    int low = 0;
+    for (; low < 100; ++low) climb.learn(traced(0, 250'000));
+    try_next(climb, 4'000'000);
+    for (; !climb.climb(); ++low) {
+        ASSERT_LT(low, 1000);
+        climb.learn(traced(0, 250'000));
+    }
+    EXPECT_EQ(low, 241);  // 300 of the target take 1.2 s
+    EXPECT_FALSE(climb.standings()[0].dropped);
+}
+
 TEST(RungClimb, DropsARungThatGainsNothing) {
     for (const std::uint32_t cost :
          {15'000u, 500'000u, 1'900'000u}) {  // not cheaper; cheaper, but all is quick
