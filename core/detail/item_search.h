@@ -46,6 +46,7 @@ class ItemSearch {
 
    private:
     void run();
+    void wait_for_first_looks();
     void paint(const DrawableScene& scene);
     Scene wait_for_images();
     void publish(const DrawnDetail& detail);
