@@ -61,6 +61,7 @@ struct Window::State {
         if (controls.beside == was_beside) return;
         int across = 0, down = 0;
         glfwGetWindowSize(context.window(), &across, &down);
+        if (GlfwContext::lost()) return;
         context.resize(
             controls.beside ? across * 2 + column_gap : std::max((across - column_gap) / 2, 1),
             down);
@@ -92,10 +93,11 @@ struct Window::State {
             rough ? forgetting * smooth_cost : std::chrono::duration<double>(shown - start).count();
     }
 
-    /// Draws all, without showing it yet. False where the window has no area (it is iconified).
+    /// Draws all, without showing it yet. False where the window has no area (it is iconified), or
+    /// the display has gone away: sizes that are asked of it then are what was in memory before.
     bool draw(int samples) {
         glfwGetFramebufferSize(context.window(), &pixels_x, &pixels_y);
-        if (pixels_x <= 0 || pixels_y <= 0) return false;
+        if (GlfwContext::lost() || pixels_x <= 0 || pixels_y <= 0) return false;
         context.make_current();
         const bool both = controls.beside && second.loaded();
         const std::vector<Rectangle> where = columns(pixels_x, pixels_y, controls.beside ? 2 : 1);

@@ -241,10 +241,16 @@ std::vector<std::uint32_t> known_mirrors(const std::vector<Mirror>& mirrors,
     std::map<std::uint32_t, std::size_t> known, pixels;
     for (const Mirror& mirror : mirrors)
         for (const Run& run : mirror.runs) {
-            const auto begin = items.mirrored.begin() + run.begin,
-                       end = items.mirrored.begin() + run.end;
-            known[items.surfaces[run.begin]] +=
-                run.end - run.begin - std::size_t(std::count(begin, end, ItemBuffer::unknown));
+            // Of one surface, but where that ties with another.
+            const auto surfaces = items.surfaces.begin();
+            for (auto begin = surfaces + run.begin, end = begin; begin != surfaces + run.end;
+                 begin = end) {
+                end = end_of_run(begin, surfaces + run.end);
+                const auto mirrored = items.mirrored.begin() + (begin - surfaces);
+                known[*begin] +=
+                    std::size_t((end - begin) - std::count(mirrored, mirrored + (end - begin),
+                                                           ItemBuffer::unknown));
+            }
         }
     for (auto begin = items.surfaces.begin(), end = begin; begin != items.surfaces.end();
          begin = end) {
