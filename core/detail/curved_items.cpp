@@ -120,14 +120,15 @@ double z_scale(const Solid& solid) {
 /// One object, row by row.
 class CurvedDrawing {
    public:
-    CurvedDrawing(const DrawableScene& scene, const CurvedObject& object, const PixelRays& rays,
-                  ItemCanvas& canvas, const PaintingPace& pace)
+    /// `nearest`: greatest_nearness() of the object.
+    CurvedDrawing(const DrawableScene& scene, const CurvedObject& object, double nearest,
+                  const PixelRays& rays, ItemCanvas& canvas, const PaintingPace& pace)
         : scene_(scene),
           object_(object),
           rays_(rays),
           canvas_(canvas),
           pace_(pace),
-          nearest_(greatest_nearness(rays, object.bounds)) {
+          nearest_(nearest) {
         const auto slot = [&](std::uint32_t solid) {
             const auto found = std::find(solids_.begin(), solids_.end(), solid);
             if (found != solids_.end()) return static_cast<std::int32_t>(found - solids_.begin());
@@ -427,9 +428,9 @@ std::vector<Drawn> choose(const DrawableScene& scene, const PixelRays& rays, Ite
         const PixelBox box = common_box(
             pixel_box(rays, object.bounds, canvas.width(), canvas.height()), canvas.area());
         if (box.top >= box.bottom || box.left >= box.right) continue;
-        objects.push_back({&object, box,
-                           CurvedDrawing(scene, object, rays, canvas, pace).work_a_pixel(box),
-                           greatest_nearness(rays, object.bounds)});
+        const double nearest = greatest_nearness(rays, object.bounds);
+        CurvedDrawing drawing(scene, object, nearest, rays, canvas, pace);
+        objects.push_back({&object, box, drawing.work_a_pixel(box), nearest});
     }
     std::vector<std::size_t> cheapest_first(objects.size());
     std::iota(cheapest_first.begin(), cheapest_first.end(), std::size_t{0});
@@ -466,7 +467,7 @@ void draw_curved(const DrawableScene& scene, const PixelRays& rays, ItemCanvas& 
         for (const Drawn& drawn : objects) {
             const PixelBox box = common_box(drawn.box, band.area());
             if (box.top < box.bottom)
-                CurvedDrawing(scene, *drawn.object, rays, band, pace).draw(box);
+                CurvedDrawing(scene, *drawn.object, drawn.nearest, rays, band, pace).draw(box);
         }
         for (const Bounds& box : unknown)
             if (!pace.stopped()) hide_behind(box, rays, band);

@@ -29,7 +29,7 @@ class ItemCanvas {
     /// Share of the nearness by which rounding, ours and the ray tracer's, may move a surface.
     static constexpr double coincidence = 1e-9;
 
-    /// Nothing may be read or drawn before clear() or close().
+    /// Nothing may be read or drawn before clear(), hide_all() or close().
     ItemCanvas(int width, int height)
         : width_(width),
           height_(height),
@@ -86,10 +86,15 @@ class ItemCanvas {
     /// Of the pixels from this one on.
     const double* nearness_from(std::size_t pixel) const { return &planes_->nearness[pixel]; }
     Source source(std::size_t pixel) const { return planes_->sources[pixel]; }
-    /// The first pixel from `begin` on that shows another source, or `end`.
-    std::size_t end_of_run(std::size_t begin, std::size_t end) const {
-        const Source* sources = &planes_->sources[0];
-        return std::size_t(povpreview::end_of_run(sources + begin, sources + end) - sources);
+    /// Calls visit(first, last) for the pixels of a row, from `first` to before `last`, that show
+    /// one source.
+    template <class Visit>
+    void visit_row(int y, const Visit& visit) const {
+        const Source* const sources = &planes_->sources[0];
+        visit_runs(sources + index(0, y), sources + index(0, y + 1),
+                   [&](const Source* first, const Source* last) {
+                       visit(std::size_t(first - sources), std::size_t(last - sources));
+                   });
     }
 
     /// Draws where it is nearer than what is there. Of two that coincide none is known to be seen.

@@ -44,13 +44,11 @@ class Reading {
 
    private:
     void read_row(int y) {
-        const std::size_t row = canvas_.index(0, y), end = canvas_.index(0, y + 1);
-        for (std::size_t first = row, last = row; first < end; first = last) {
-            last = canvas_.end_of_run(first, end);
+        canvas_.visit_row(y, [&](std::size_t first, std::size_t last) {
             std::fill_n(result_.surfaces.begin() + std::ptrdiff_t(first), last - first,
                         surface_of(scene_, canvas_.source(first)));
             read_look(y, first, last);
-        }
+        });
         pace_.row_done();
     }
 

@@ -101,14 +101,11 @@ class MirrorSearch {
         : scene_(scene), rays_(rays), canvas_(canvas) {}
 
     std::vector<Mirror> find() {
-        for (int y = 0; y < canvas_.height(); ++y) {
-            const std::size_t end = canvas_.index(0, y + 1);
-            for (std::size_t begin = canvas_.index(0, y), next = begin; begin < end; begin = next) {
-                next = canvas_.end_of_run(begin, end);
+        for (int y = 0; y < canvas_.height(); ++y)
+            canvas_.visit_row(y, [&](std::size_t begin, std::size_t end) {
                 const int mirror = mirror_of_source(canvas_.source(begin));
-                if (mirror != none) add(mirrors_[static_cast<std::size_t>(mirror)], y, begin, next);
-            }
-        }
+                if (mirror != none) add(mirrors_[static_cast<std::size_t>(mirror)], y, begin, end);
+            });
         std::erase_if(mirrors_, [](const Mirror& m) { return m.pixels < least_pixels; });
         std::stable_sort(mirrors_.begin(), mirrors_.end(),
                          [](const Mirror& a, const Mirror& b) { return a.pixels > b.pixels; });
@@ -178,14 +175,15 @@ void draw(const DrawableScene& scene, const PixelRays& turned, const ItemCanvas&
 /// Reads it.
 class MirrorReading {
    public:
-    MirrorReading(const DrawableScene& scene, const PixelRays& rays, const ItemCanvas& canvas,
-                  const Mirror& mirror, const ItemCanvas& reflection)
+    /// `turned`: the rays that the reflection was drawn by.
+    MirrorReading(const DrawableScene& scene, const PixelRays& rays, const PixelRays& turned,
+                  const ItemCanvas& canvas, const Mirror& mirror, const ItemCanvas& reflection)
         : scene_(scene),
           rays_(rays),
           canvas_(canvas),
           mirror_(mirror),
           reflection_(reflection),
-          view_{rays.reflected(mirror.plane)} {}
+          view_{turned} {}
 
     MirrorView read(std::vector<std::uint32_t>& mirrored) {
         std::size_t seen = 0;
@@ -239,25 +237,19 @@ class MirrorReading {
 std::vector<std::uint32_t> known_mirrors(const std::vector<Mirror>& mirrors,
                                          const ItemBuffer& items) {
     std::map<std::uint32_t, std::size_t> known, pixels;
+    const auto surfaces = items.surfaces.begin();
     for (const Mirror& mirror : mirrors)
-        for (const Run& run : mirror.runs) {
-            // Of one surface, but where that ties with another.
-            const auto surfaces = items.surfaces.begin();
-            for (auto begin = surfaces + run.begin, end = begin; begin != surfaces + run.end;
-                 begin = end) {
-                end = end_of_run(begin, surfaces + run.end);
+        for (const Run& run : mirror.runs)  // of one surface, but where that ties with another
+            visit_runs(surfaces + run.begin, surfaces + run.end, [&](auto begin, auto end) {
                 const auto mirrored = items.mirrored.begin() + (begin - surfaces);
                 known[*begin] +=
                     std::size_t((end - begin) - std::count(mirrored, mirrored + (end - begin),
                                                            ItemBuffer::unknown));
-            }
-        }
-    for (auto begin = items.surfaces.begin(), end = begin; begin != items.surfaces.end();
-         begin = end) {
-        end = end_of_run(begin, items.surfaces.end());
+            });
+    visit_runs(surfaces, items.surfaces.end(), [&](auto begin, auto end) {
         if (const auto found = known.find(*begin); found != known.end())
             pixels[*begin] += std::size_t(end - begin);
-    }
+    });
     std::vector<std::uint32_t> result;
     for (const auto& [surface, count] : known)
         if (surface != ItemBuffer::unknown &&
@@ -284,9 +276,10 @@ std::vector<MirrorView> paint_mirrored(const DrawableScene& scene, const PixelRa
     std::vector<MirrorView> views;
     for (const Mirror& mirror : mirrors) {
         if (pace.stopped()) break;
-        draw(scene, rays.reflected(mirror.plane), canvas, mirror, reflection, pace);
+        const PixelRays turned = rays.reflected(mirror.plane);
+        draw(scene, turned, canvas, mirror, reflection, pace);
         views.push_back(
-            MirrorReading(scene, rays, canvas, mirror, reflection).read(items.mirrored));
+            MirrorReading(scene, rays, turned, canvas, mirror, reflection).read(items.mirrored));
     }
     items.mirrors = known_mirrors(mirrors, items);
     if (!items.mirrors.empty()) return views;

@@ -12,4 +12,13 @@ Iterator end_of_run(Iterator begin, Iterator end) {
     return std::find_if(begin + 1, end, [&](const auto& value) { return value != *begin; });
 }
 
+/// Calls visit(first, last) for each run in turn, of the elements from `first` to before `last`.
+template <class Iterator, class Visit>
+void visit_runs(Iterator begin, Iterator end, const Visit& visit) {
+    for (Iterator next = begin; begin != end; begin = next) {
+        next = end_of_run(begin, end);
+        visit(begin, next);
+    }
+}
+
 }  // namespace povpreview

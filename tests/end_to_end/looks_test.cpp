@@ -4,7 +4,6 @@
 // the same at every pixel, a plain look one albedo all over; and which textures are of which kind.
 #include <gtest/gtest.h>
 
-#include <atomic>
 #include <glm/geometric.hpp>
 #include <map>
 #include <set>
