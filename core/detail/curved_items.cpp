@@ -14,6 +14,7 @@
 
 #include "core/detail/row_bands.h"
 #include "core/detail/solid_rays.h"
+#include "core/detail/unknown_boxes.h"
 
 namespace povpreview {
 
@@ -30,8 +31,9 @@ constexpr double most_of_object = 112, most_of_all = 128;
 constexpr double most_of_object_in_all = 5e6, most_in_all = 2e7;
 constexpr double certainly_little = 4;
 
-/// Rows of an object that are drawn to try out what it takes.
-constexpr int rows_tried = 5;
+/// Rows of an object that are drawn to try out what it takes, and of wide ones one block of so
+/// many, but not fewer than some.
+constexpr int rows_tried = 5, blocks_to_one_tried = 4, blocks_tried = 4;
 
 /// A point with |f| within this may lie on either side of a solid, since rounding decides, ours or
 /// the ray tracer's (POV-Ray's own tolerances are of this order). A half space has no size of its
@@ -120,15 +122,17 @@ double z_scale(const Solid& solid) {
 /// One object, row by row.
 class CurvedDrawing {
    public:
-    /// `nearest`: greatest_nearness() of the object.
+    /// `nearest`: greatest_nearness() of the object. `box`: the pixels to be drawn.
     CurvedDrawing(const DrawableScene& scene, const CurvedObject& object, double nearest,
-                  const PixelRays& rays, ItemCanvas& canvas, const PaintingPace& pace)
+                  const PixelBox& box, const PixelRays& rays, ItemCanvas& canvas,
+                  const PaintingPace& pace)
         : scene_(scene),
           object_(object),
+          box_(box),
           rays_(rays),
           canvas_(canvas),
           pace_(pace),
-          nearest_(nearest) {
+          nearest_(std::min(nearest, std::numeric_limits<double>::max())) {
         const auto slot = [&](std::uint32_t solid) {
             const auto found = std::find(solids_.begin(), solids_.end(), solid);
             if (found != solids_.end()) return static_cast<std::int32_t>(found - solids_.begin());
@@ -150,44 +154,61 @@ class CurvedDrawing {
         }
     }
 
-    void draw(const PixelBox& box) {
-        for (int y = box.top; y < box.bottom && !pace_.stopped(); ++y)
-            draw_row(y, box.left, box.right);
+    void draw() {
+        for (int y = box_.top; y < box_.bottom && !pace_.stopped(); ++y)
+            draw_row(y, box_.left, box_.right);
     }
 
     /// What that will take, for each of its pixels.
-    double work_a_pixel(const PixelBox& box) {
+    double work_a_pixel() {
         if (const double most = most_work_a_block() / ray_lanes; most <= certainly_little)
             return most;
         // They are drawn again later, which changes nothing.
-        const int rows = std::min(rows_tried, box.bottom - box.top);
-        for (int i = 0; i < rows && !pace_.stopped(); ++i)
-            draw_row(box.top + (2 * i + 1) * (box.bottom - box.top) / (2 * rows), box.left,
-                     box.right);
-        return double(work_) / (double(rows) * double(box.right - box.left));
+        const int height = box_.bottom - box_.top, rows = std::min(rows_tried, height);
+        int tried = 0;
+        for (int i = 0; i < rows && !pace_.stopped(); ++i) {
+            const int y = box_.top + (2 * i + 1) * height / (2 * rows);
+            // Of narrow boxes all blocks are tried.
+            const int width = box_.right - box_.left, blocks = (width + ray_lanes - 1) / ray_lanes;
+            const int step = std::clamp(blocks / blocks_tried, 1, blocks_to_one_tried);
+            for (int block = i % step; block < blocks; block += step) {
+                const int left = box_.left + block * ray_lanes;
+                const int right = std::min(left + ray_lanes, box_.right);
+                draw_row(y, left, right);
+                tried += right - left;
+            }
+        }
+        return double(work_) / std::max(tried, 1);
     }
 
    private:
     void draw_row(int y, int left, int right) {
-        bool prepared = false;
-        for (int x = left; x < right; x += ray_lanes) {
-            const int count = std::min(right - x, ray_lanes);
-            if (is_hidden(x, y, count)) continue;
-            if (!prepared) prepare_row(y, left, right);
-            prepared = true;
-            draw_block(x, y, count);
+        const double* const shown = canvas_.nearness_from(canvas_.index(0, y));
+        for (int x = left; x < right;) {
+            const int count = gather(shown, x, right);
+            if (count > 0) draw_gathered(y, count);
         }
         pace_.row_done();
     }
 
-    /// Whether all of the object is behind what these pixels show.
-    bool is_hidden(int x, int y, int count) const {
-        const double* shown = canvas_.nearness_from(canvas_.index(x, y));
-        return std::all_of(shown, shown + count, [&](double at) { return at > nearest_; });
+    /// Takes the next pixels of a row, from `x` on, that may show the object: not all of it is
+    /// behind what they show. How many.
+    int gather(const double* shown, int& x, int right) {
+        int count = 0;
+        for (; x < right && count < ray_lanes; ++x) {
+            pixels_[std::size_t(count)] = x;
+            count += !(shown[x] > nearest_);
+        }
+        // The rays that are left over are those of the last pixel.
+        for (int i = 0; i < ray_lanes && count > 0; ++i)
+            x_[i] = pixels_[std::size_t(std::min(i, count - 1))] + .5;
+        return count;
     }
 
-    void prepare_row(int y, int left, int right) {
-        const double length = glm::length(rays_.direction({(left + right) / 2., y + .5}));
+    void prepare_row(int y) {
+        if (y == row_) return;
+        row_ = y;
+        const double length = glm::length(rays_.direction({(box_.left + box_.right) / 2., y + .5}));
         in_world_ = row_rays(rays_, glm::dmat4x3(1), y + .5);
         for (std::size_t i = 0; i < solids_.size(); ++i) {
             const Solid& solid = scene_.solids[solids_[i]];
@@ -219,12 +240,16 @@ class CurvedDrawing {
         return sum;
     }
 
-    void draw_block(int x, int y, int count) {
-        for (int i = 0; i < ray_lanes; ++i) x_[i] = x + i + .5;
-        const std::size_t first = canvas_.index(x, y);
+    void draw_gathered(int y, int count) {
+        prepare_row(y);
+        const std::size_t row = canvas_.index(0, y);
+        const double* const shown = canvas_.nearness_from(row);
         const Mask within = all_lanes >> (ray_lanes - count);
         RayLanes before{};
-        std::copy_n(canvas_.nearness_from(first), count, before.begin());
+        const auto look = [&] {
+            for (int i = 0; i < count; ++i) before[i] = shown[pixels_[std::size_t(i)]];
+        };
+        look();
         Flags is_nearer;
         for (std::uint32_t p = 0; p < object_.pieces; ++p) {
             const auto slot = static_cast<std::size_t>(piece_slots_[p]);
@@ -238,8 +263,8 @@ class CurvedDrawing {
                 const Verdict verdict = conjunctions_[p] ? all_hold(*conjunctions_[p], roots, seen)
                                                          : holds(steps_[p], roots, seen);
                 if ((seen & verdict.possible) == 0) continue;
-                draw_lanes(first, seen, verdict, ItemCanvas::piece_bit | (object_.first_piece + p));
-                std::copy_n(canvas_.nearness_from(first), count, before.begin());
+                draw_lanes(row, seen, verdict, ItemCanvas::piece_bit | (object_.first_piece + p));
+                look();
             }
         }
     }
@@ -262,15 +287,15 @@ class CurvedDrawing {
             find_values(scene_.solids[solids_[slot]], rows_[slot], x_, t, values_);
     }
 
-    void draw_lanes(std::size_t first, Mask seen, const Verdict& verdict,
-                    ItemCanvas::Source source) {
+    void draw_lanes(std::size_t row, Mask seen, const Verdict& verdict, ItemCanvas::Source source) {
         for (Mask left = seen & verdict.possible; left != 0; left &= left - 1) {
             const int i = std::countr_zero(left);
             if (!std::isfinite(nearness_[i])) continue;
+            const std::size_t pixel = row + std::size_t(pixels_[std::size_t(i)]);
             if (verdict.sure >> i & 1)
-                canvas_.draw(first + i, nearness_[i], source);
+                canvas_.draw(pixel, nearness_[i], source);
             else
-                canvas_.hide(first + i, nearness_[i]);
+                canvas_.hide(pixel, nearness_[i]);
         }
     }
 
@@ -322,6 +347,7 @@ class CurvedDrawing {
 
     const DrawableScene& scene_;
     const CurvedObject& object_;
+    const PixelBox box_;
     const PixelRays& rays_;
     ItemCanvas& canvas_;
     const PaintingPace& pace_;
@@ -334,7 +360,9 @@ class CurvedDrawing {
     std::vector<std::unique_ptr<IntricateSolid>> intricate_;         // by slot; null for the others
     std::vector<RowRays> rows_;                                      // by slot
     std::vector<double> units_;                                      // by slot, see inside()
+    int row_ = -1;                                                   // that these are of
     RowRays in_world_;
+    std::array<int, ray_lanes> pixels_{};  // of the row, whose rays are worked on
     RayLanes x_{}, values_{}, nearness_{};
     std::vector<RayLanes> roots_;
 };
@@ -375,37 +403,6 @@ bool sound(const DrawableScene& scene, const CurvedObject& object) {
     return true;
 }
 
-/// The depths at which a pixel's ray enters and leaves a box; false where it misses.
-bool crosses(const PixelRays& rays, const Bounds& box, glm::dvec2 pixel, double& first,
-             double& last) {
-    const glm::dvec3 from = rays.point(pixel, 0), along = rays.point(pixel, 1) - from;
-    first = 0, last = std::numeric_limits<double>::infinity();
-    for (int k = 0; k < 3; ++k) {
-        if (along[k] == 0) {
-            if (from[k] < box.low[k] || from[k] > box.high[k]) return false;
-            continue;
-        }
-        const double a = (box.low[k] - from[k]) / along[k], b = (box.high[k] - from[k]) / along[k];
-        first = std::max(first, std::min(a, b));
-        last = std::min(last, std::max(a, b));
-    }
-    return first <= last;
-}
-
-void hide_behind(const Bounds& box, const PixelRays& rays, ItemCanvas& canvas) {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    const PixelBox pixels =
-        common_box(pixel_box(rays, box, canvas.width(), canvas.height()), canvas.area());
-    for (int y = pixels.top; y < pixels.bottom; ++y)
-        for (int x = pixels.left; x < pixels.right; ++x) {
-            double first = 0, last = 0;
-            if (!crosses(rays, box, {x + .5, y + .5}, first, last)) continue;
-            const std::size_t pixel = canvas.index(x, y);
-            if (last < infinity && canvas.too_near(pixel, rays.nearness(last))) continue;
-            canvas.hide(pixel, first > 0 ? rays.nearness(first) : infinity);
-        }
-}
-
 /// An object to be drawn, and the pixels that may show it.
 struct Drawn {
     const CurvedObject* object;
@@ -429,8 +426,8 @@ std::vector<Drawn> choose(const DrawableScene& scene, const PixelRays& rays, Ite
             pixel_box(rays, object.bounds, canvas.width(), canvas.height()), canvas.area());
         if (box.top >= box.bottom || box.left >= box.right) continue;
         const double nearest = greatest_nearness(rays, object.bounds);
-        CurvedDrawing drawing(scene, object, nearest, rays, canvas, pace);
-        objects.push_back({&object, box, drawing.work_a_pixel(box), nearest});
+        CurvedDrawing drawing(scene, object, nearest, box, rays, canvas, pace);
+        objects.push_back({&object, box, drawing.work_a_pixel(), nearest});
     }
     std::vector<std::size_t> cheapest_first(objects.size());
     std::iota(cheapest_first.begin(), cheapest_first.end(), std::size_t{0});
@@ -467,10 +464,10 @@ void draw_curved(const DrawableScene& scene, const PixelRays& rays, ItemCanvas& 
         for (const Drawn& drawn : objects) {
             const PixelBox box = common_box(drawn.box, band.area());
             if (box.top < box.bottom)
-                CurvedDrawing(scene, *drawn.object, drawn.nearest, rays, band, pace).draw(box);
+                CurvedDrawing(scene, *drawn.object, drawn.nearest, box, rays, band, pace).draw();
         }
         for (const Bounds& box : unknown)
-            if (!pace.stopped()) hide_behind(box, rays, band);
+            if (!pace.stopped()) hide_behind(box, rays, band, pace);
     });
 }
 

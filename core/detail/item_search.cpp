@@ -38,7 +38,7 @@ void ItemSearch::run() {
     wait_for_first_looks();
     // Painting takes as long as many samples do, and edges and textures are worth a part of what
     // those are: at 1920x1080 it delays an error of .02 by a fifth if it gets an equal share of
-    // two processors (seven scenes of dear.sh), and by another tenth if it does not keep to its
+    // two processors (seven of dear_scenes.txt), and by another tenth if it does not keep to its
     // PaintingPace. Where there are more, it gets those left over.
     [[maybe_unused]] const int niceness = nice(5);
     if (const Scene scene = make_scene_(); scene && !pace_.stopped()) paint(*scene);
@@ -51,7 +51,7 @@ void ItemSearch::run() {
 
 /// Begun at once, painting would take half of the first samples of two processors. A little later
 /// it lets pictures come to an error of .05 in .83 (640x480) to .91 times the time (1920x1080), and
-/// to smaller ones no later (20 scenes of textured.sh and dear.sh).
+/// to smaller ones no later (20 of textured_scenes.txt and dear_scenes.txt).
 void ItemSearch::wait_for_first_looks() {
     constexpr std::chrono::milliseconds first_looks{15};
     std::unique_lock lock(mutex_);

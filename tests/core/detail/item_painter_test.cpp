@@ -295,6 +295,22 @@ TEST(ItemPainter, WhatIsBehindAnUnknownBoxIsUnknown) {
     expect_right(made, 1500);
 }
 
+// Such rays meet two pairs of its sides nowhere.
+TEST(ItemPainter, UnknownBoxesAreMetByRaysAlongTheirSides) {
+    CameraPose pose;
+    pose.orthographic = true;
+    pose.right *= 4.;
+    pose.up *= 4.;
+    ItemScene made(pose, width, height);
+    made.box({-1.9, -1.5, 0}, {1.5, 1.7, 1});
+    made.sphere({.3, .2, -2}, .4);
+    made.scene.unknown.push_back({{-.5, -.7, -1}, {.9, .4, -.5}});
+    made.scene.unknown.push_back({{1, -unbounded, -unbounded}, {1.2, -.6, unbounded}});
+    made.scene.unknown.push_back({{-1.5, 1, 2}, {9, 9, 3}});
+    made.scene.unknown.push_back({{-2, 1.2, -9}, {2, 1.4, -7}});  // behind the eye
+    expect_right(made, 5000);
+}
+
 TEST(ItemPainter, InsideOfAnUnknownBoxNothingIsKnown) {
     ItemScene made(look_at({3, 2, -5}, {0, 0, 0}), width, height);
     made.box({-1, -1, -1}, {1, 1, 1});
