@@ -1,79 +1,164 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""survey.py POVPREVIEW OUT [POV-Ray options and those of povpreview compare]
+"""survey.py TIME_TO_L1 OUT [--scenes LIST] [--methods A,B,...] [--seconds S] [--patience S]
+          [POV-Ray options]
 
-Asks: how does `mesh` do on every scene that POV-Ray comes with, not on chosen ones? Runs `povpreview
-compare` with all methods on each distributed scene, in an order that is the same each time but
-shuffled, so that those done so far are a fair choice. Goes on where an earlier run into OUT stopped
-(touch OUT/stop to stop it after the scene at hand). Prints the scenes that failed and why; by
-quantiles over the others the seconds from the end of the parse to mesh's first picture and to an
-error (L1) of .02, and how many times as long each other method took to that, and the best of them;
-and the scenes where mesh is behind that one by more than 5 %.
+Asks: how soon does the first method come to an error, on many scenes, and how many times as long do
+the others take? The scenes are those of LIST, or all that POV-Ray comes with, in an order that is
+the same each time but shuffled, so that those done so far are a fair choice. Each is rendered by
+povray (kept in OUT; left out where that takes longer than --patience), then each method previews it
+for --seconds from the end of the parse. Prints a line a scene: the seconds of the first method to
+its first picture and to errors (L1) of .1, .05, .02, .01 and .005, each followed by how many times
+as long the others took ("-": not reached, "ahead": reached where the first was not). Then the
+scenes that failed and why, the same by quantiles over the scenes ("block previewer" is the better
+of blocks and mosaic, "best" the best of all others), and the scenes where the first method is behind
+by more than 5 %.
+
+    survey.py TIME_TO_L1 OUT                                                  every scene
+    survey.py TIME_TO_L1 OUT --scenes dear_scenes.txt --seconds 2.5 +W1920 +H1080
+    survey.py TIME_TO_L1 OUT --scenes textured_scenes.txt --methods mesh,constrained,blocks,mosaic
+
+Goes on where an earlier run into OUT stopped: what has been measured is not measured again.
 """
-import math, random
+import argparse, csv, math, pathlib, random, subprocess
 
-from comparisons import EXAMPLES, METHODS, bench, compare, first_pictures, reached
+from comparisons import EXAMPLES, METHODS, listed_scenes
 
-LEVEL = .02
-FIRST = 42  # samples of which a first picture is made, as many as are traced in a few milliseconds
 QUANTILES = [0, .05, .25, .5, .75, .95, 1]
+BEHIND = .95
 
 
-def run(povpreview, out, options):
+def arguments():
+    usage, _, description = __doc__.partition("\n\n")
+    parser = argparse.ArgumentParser(usage=usage, description=description,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("time_to_l1", type=pathlib.Path)
+    parser.add_argument("out", type=pathlib.Path)
+    parser.add_argument("--scenes", type=pathlib.Path)
+    parser.add_argument("--methods", default=",".join(METHODS))
+    parser.add_argument("--seconds", default="1")
+    parser.add_argument("--patience", type=float)
+    parser.add_argument("options", nargs="*")
+    return parser.parse_intermixed_args()
+
+
+def all_scenes():
     scenes = sorted(EXAMPLES.rglob("*.pov"))
     random.Random(1).shuffle(scenes)
-    for scene in scenes:
-        folder = out / "_".join(scene.relative_to(EXAMPLES).with_suffix("").parts)
-        if (out / "stop").exists():
-            break
-        if (folder / "messages").exists():
-            continue
-        code, said = compare(povpreview, scene, ["+W320", "+H240", "--methods", ",".join(METHODS),
-                                                 "--time", "3", *options], folder)
-        folder.mkdir(exist_ok=True)
-        for picture in folder.rglob("*.png"):
-            picture.unlink()
-        # Last, as it says that the scene is done.
-        (folder / "messages").write_text(f"{code}\n{said}")
+    return [(scene, []) for scene in scenes]
 
 
-def read(folder):
-    """Of a scene, for each method: seconds to its first picture and to the level."""
-    shown = first_pictures(folder, FIRST)
-    return {method: (shown.get(method, math.inf), seconds)
-            for method, seconds in reached(folder, LEVEL).items()}
+def last_line(text):
+    return next((line for line in reversed(text.splitlines()) if line.strip()), "")[:150]
+
+
+def run(command, folder, patience=None):
+    """From the scene's folder, where its own files are. What it prints, and what went wrong."""
+    try:
+        ended = subprocess.run([str(word) for word in command], cwd=folder, timeout=patience,
+                               stdin=subprocess.DEVNULL, capture_output=True, text=True,
+                               errors="replace")
+    except subprocess.TimeoutExpired:
+        return "", f"takes longer than {patience:g} s"
+    return ended.stdout, "" if ended.returncode == 0 else last_line(ended.stderr)
+
+
+def measure(scene, options, result, args):
+    """Writes what time_to_l1 printed to `result`. What went wrong."""
+    reference, words = result.with_suffix(".png"), [*options, scene.name]
+    if not reference.exists():
+        unfinished = reference.with_suffix(".tmp.png")
+        _, wrong = run(["povray", *words, "-A", "+FN16", "-D", "-P", f"+O{unfinished}"],
+                       scene.parent, args.patience)
+        if wrong or not unfinished.exists():
+            return f"povray: {wrong or 'no picture'}"
+        unfinished.rename(reference)
+    rows, wrong = run([args.time_to_l1, reference, args.seconds, *args.methods.split(","), "--",
+                       *words], scene.parent)
+    if not wrong:
+        result.write_text(rows)
+    return wrong
+
+
+def read(result):
+    """For each method, the seconds to each column of time_to_l1's; inf: not reached."""
+    return {row.pop("method"): {column: float(value or "inf") for column, value in row.items()}
+            for row in csv.DictReader(open(result))}
+
+
+def ratio(mine, other):
+    """How many times as long the other took."""
+    return other / mine if math.isfinite(mine) else 0 if math.isfinite(other) else math.nan
+
+
+def line(name, times):
+    mine, *others = times.values()
+
+    def cell(column):
+        words = [f"{mine[column]:.3f}" if math.isfinite(mine[column]) else "-"]
+        for value in (ratio(mine[column], other[column]) for other in others):
+            words.append("ahead" if value == 0 else f"{value:.2f}" if math.isfinite(value) else "-")
+        return " ".join(words)
+    return f"{name:<28} | " + " | ".join(cell(column) for column in mine)
 
 
 def quantiles(what, values):
     values = sorted(values)
     at = [values[round(q * (len(values) - 1))] for q in QUANTILES]
-    print(f"{what:<34}" + "".join(f"{v:>8.3g}" for v in at))
+    print(f"  {what:<28}" + "".join(f"{v:>8.3g}" for v in at))
 
 
-def say(out):
-    results, failures = {}, []
-    for folder in sorted(p.parent for p in out.glob("*/messages")):
-        code, _, said = (folder / "messages").read_text().partition("\n")
-        if code == "0" and (folder / "curves.csv").exists():
-            results[folder.name] = read(folder)
+def rivals(methods):
+    """What the first method is held against: each other one, and the best of some."""
+    groups = {other: [other] for other in methods[1:]}
+    for name, those in (("block previewer", ("blocks", "mosaic")), ("best", METHODS[1:])):
+        group = [method for method in methods[1:] if method in those]
+        if len(group) > 1:
+            groups[name] = group
+    return groups
+
+
+def summarise(results, methods):
+    mine = methods[0]
+    print(f"\n{'quantiles':<30}" + "".join(f"{100 * q:>7.0f}%" for q in QUANTILES))
+    for column in next(iter(results.values()))[mine]:
+        both = {name: times for name, times in results.items() if math.isfinite(times[mine][column])}
+        print(f"{column}: {mine} comes there in {len(both)} of {len(results)}")
+        if not both:
+            continue
+        quantiles(f"seconds of {mine}", [times[mine][column] for times in both.values()])
+        for name, group in rivals(methods).items():
+            ratios = {scene: ratio(times[mine][column], min(times[other][column] for other in group))
+                      for scene, times in results.items()}
+            quantiles(f"{name} over {mine}", [ratios[scene] for scene in both])
+            behind = sorted((value, scene) for scene, value in ratios.items() if value < BEHIND)
+            if len(group) > 1:
+                print(f"  behind the {name} by over 5 % in {len(behind)}: " +
+                      ", ".join(f"{scene} {value:.2f}" for value, scene in behind))
+
+
+def main():
+    args = arguments()
+    args.time_to_l1, args.out = args.time_to_l1.resolve(), args.out.resolve()
+    args.out.mkdir(parents=True, exist_ok=True)
+    scenes = list(listed_scenes(args.scenes)) if args.scenes else all_scenes()
+    results, failures = {}, {}
+    for scene, its in scenes:
+        name = "_".join(scene.with_suffix("").parts[len(EXAMPLES.parts):]) \
+            if scene.is_relative_to(EXAMPLES) else scene.stem
+        result = args.out / f"{name}.csv"
+        wrong = "" if result.exists() else \
+            measure(scene, ["+W640", "+H480", *args.options, *its], result, args)
+        if wrong:
+            failures[name] = wrong
         else:
-            lines = [line for line in said.splitlines() if line.strip()]
-            failures.append((folder.name, code, lines[-1] if lines else ""))
-    print(f"{len(results)} scenes compared, {len(failures)} failed:")
-    for name, code, why in failures:
-        print(f"  {name}: exit {code}: {why[:150]}")
-    both = {name: r for name, r in results.items() if math.isfinite(r["mesh"][1])}
-    print(f"{len(results) - len(both)} did not come to L1 {LEVEL} within the time")
-    print(f"{'quantiles':<34}" + "".join(f"{100 * q:>7.0f}%" for q in QUANTILES))
-    quantiles("mesh: seconds to first picture", [r["mesh"][0] for r in results.values()])
-    quantiles(f"mesh: seconds to {LEVEL}", [r["mesh"][1] for r in both.values()])
-    for method in METHODS[1:]:
-        quantiles(f"{method} over mesh", [r[method][1] / r["mesh"][1] for r in both.values()])
-    best = {name: min(r[m][1] for m in METHODS[1:]) / r["mesh"][1] for name, r in both.items()}
-    quantiles("best of them over mesh", best.values())
-    for name, ratio in sorted(best.items(), key=lambda item: item[1]):
-        if ratio < .95:
-            print(f"  {name}: {ratio:.2f} ({both[name]['mesh'][1]:.3f} s)")
+            results[name] = read(result)
+            print(line(name, results[name]), flush=True)
+    print(f"\n{len(results)} scenes measured, {len(failures)} failed:")
+    for name, why in failures.items():
+        print(f"  {name}: {why}")
+    if results:
+        summarise(results, args.methods.split(","))
 
 
-bench(run, say)
+main()

@@ -3,15 +3,15 @@
 // time_to_l1 REFERENCE.png SECONDS METHOD... -- [POV-Ray options] SCENE.pov
 //
 // Asks: how soon does each method come to an error (L1 against the reference, by povray without
-// anti-aliasing) in large pictures, where `povpreview compare` takes minutes to measure all that it
-// measures? Runs each method for so many seconds and prints the seconds of the first one to each of
-// five errors, and how many times as long the others took; "-": not reached. See dear.sh.
+// anti-aliasing), where `povpreview compare` takes minutes to measure all that it measures? Runs
+// each method for so many seconds and prints comma-separated values, a line a method: the seconds
+// from the end of the parse to its first picture and to each of five errors; empty: not reached.
+// survey.py runs it on many scenes.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <filesystem>
 #include <limits>
 #include <string>
 #include <vector>
@@ -27,8 +27,11 @@ namespace {
 
 using namespace povpreview;
 
-constexpr double levels[] = {.1, .05, .02, .01, .005};
 constexpr double never = std::numeric_limits<double>::infinity();
+/// The first is what any picture has come to.
+constexpr double levels[] = {never, .1, .05, .02, .01, .005};
+/// Samples that make a first picture: as many as are traced in a few milliseconds.
+constexpr std::size_t first_picture = 42;
 
 std::vector<Moment> run(const std::string& method, const ComparedScene& scene, double seconds) {
     CompareOptions options;
@@ -43,6 +46,7 @@ std::vector<double> reached(const std::vector<Moment>& moments, const Image& ref
     std::vector<double> times(std::size(levels), never);
     double error_before = 1, time_before = moments.front().standing.time_s;
     for (const Moment& moment : moments) {
+        if (moment.standing.full < first_picture) continue;
         const double time = moment.standing.time_s;
         const Image image = offscreen.render(moment.picture, reference.width, reference.height);
         const double error = std::max(1e-6, measure_error(image.pixels, reference.pixels).l1);
@@ -62,20 +66,13 @@ std::vector<double> reached(const std::vector<Moment>& moments, const Image& ref
     return times;
 }
 
-void print(const char* name, const std::vector<std::vector<double>>& times) {
-    std::printf("%-16s", name);
-    for (std::size_t i = 0; i < std::size(levels); ++i) {
-        const double first = times.front()[i];
-        if (first == never)
-            std::printf(" | -");
+void print(const char* method, const std::vector<double>& times) {
+    std::printf("%s", method);
+    for (const double time : times)
+        if (time == never)
+            std::printf(",");
         else
-            std::printf(" | %.3f", first);
-        for (std::size_t m = 1; m < times.size(); ++m)
-            if (first == never || times[m][i] == never)
-                std::printf(" %s", times[m][i] == never ? "-" : "ahead");
-            else
-                std::printf(" %.2f", times[m][i] / first);
-    }
+            std::printf(",%.6g", time);
     std::printf("\n");
 }
 
@@ -95,11 +92,10 @@ int main(int argc, char** argv) {
         scene.words.assign(end_of_methods + 1, argv + argc);
         scene.reference = read_image(argv[1]);
         Offscreen offscreen(open_offscreen());
-        std::vector<std::vector<double>> times;
+        std::printf("method,first,.1,.05,.02,.01,.005\n");
         for (char** method = argv + 3; method < end_of_methods; ++method)
-            times.push_back(
-                reached(run(*method, scene, std::atof(argv[2])), scene.reference, offscreen));
-        print(std::filesystem::path(scene.words.back()).stem().c_str(), times);
+            print(*method,
+                  reached(run(*method, scene, std::atof(argv[2])), scene.reference, offscreen));
     } catch (const povpreview::Error& error) {
         std::fprintf(stderr, "time_to_l1: %s\n", error.what());
         return static_cast<int>(error.exit());
