@@ -351,7 +351,7 @@ class CurvedDrawing {
     const PixelRays& rays_;
     ItemCanvas& canvas_;
     const PaintingPace& pace_;
-    const double nearest_;
+    const double nearest_;  // finite: something unknown hides what may be anywhere
     std::size_t work_ = 0;
     std::vector<std::uint32_t> solids_;              // that it needs; a slot is a place among them
     std::vector<std::int32_t> piece_slots_;          // by piece

@@ -203,8 +203,11 @@ Stage TracedScene::item_stage() const {
     stage.expected = 0;
     if (!wants_items_) {
         stage.why = "the method or the picture's size is without one";
-    } else if (!item_search_ || !item_search_->finished()) {
+    } else if (!item_search_) {
         stage.why = "the scene has not come yet";
+    } else if (!item_search_->finished()) {
+        const DrawnDetail* items = item_search_->items();
+        stage.why = (items ? known_pixels(*items) + "; " : "") + "painting is not over";
     } else if (const DrawnDetail* items = item_search_->items()) {
         stage.why = known_pixels(*items);
         stage.own_s = item_search_->seconds();

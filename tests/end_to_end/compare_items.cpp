@@ -15,13 +15,14 @@
 //     mirror     pixels of which it is known what a mirror shows there, of probes; of these, of
 //     inner
 //                ones as above, right: agree; and those at edges and beyond that are not: off
-//     ms         painting took, on one thread; of full samples, of albedo rays: as a share of the
-//                time that a thread takes to trace as many
+//     ms         painting took, of all processors together; of full samples, of albedo rays: as a
+//                share of the time that a thread takes to trace as many
 #include <algorithm>
 #include <array>
 #include <chrono>
 #include <cstdio>
 #include <cstring>
+#include <ctime>
 #include <glm/geometric.hpp>
 #include <map>
 #include <string>
@@ -212,9 +213,9 @@ std::optional<Line> compare(const std::filesystem::path& path, const char* name,
     const std::vector<Sample> albedos = trace(oracle, *scene, RayKind::albedo, 1);
     const std::vector<Sample> full = trace(oracle, *scene, RayKind::full, 4);
     Line line;
-    const Clock::time_point start = Clock::now();
+    const std::clock_t start = std::clock();
     const ItemBuffer painted = paint_items(*scene);
-    line.painting = seconds_since(start);
+    line.painting = double(std::clock() - start) / CLOCKS_PER_SEC;
     std::vector<Sample> probes;
     if (!painted.mirrors.empty()) probes = trace(oracle, *scene, RayKind::probe, 1);
     if (albedos.size() < painted.surfaces.size() || full.empty() ||
