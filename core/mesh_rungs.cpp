@@ -20,6 +20,10 @@ constexpr std::size_t first_shift = 8;
 /// The same for what a rung shows that has become better: it is close already.
 constexpr std::size_t first_refresh = 128;
 
+/// Where fewer pixels than one in so many were sampled below the target, tracing them again holds
+/// up a lattice by little.
+constexpr std::size_t pixels_to_one_low = 64;
+
 /// More positions than this teach nothing: cornell and patio-radio_37 come to each error as soon.
 constexpr std::size_t most_learnt = 2048;
 
@@ -80,7 +84,8 @@ bool MeshPreviewer::climb(bool at_rest) {
 void MeshPreviewer::reach_target() {
     const double full_ns = climb_.cost_ns(target_rung);
     plan_ = plan_by_cost(full_ns, squares_.pixels());
-    if (options_.lattice && plan_.lattice && squares_.answered() <= 2 * grid_.size())
+    if (options_.lattice && plan_.lattice &&
+        squares_.answered() <= std::max(2 * grid_.size(), squares_.pixels() / pixels_to_one_low))
         return start_lattice();
     albedo_fetch_.set_price(albedo_price(usual_cost(trial_costs_), full_ns));
     for (std::size_t square = 0; square < squares_.squares(); ++square)

@@ -34,7 +34,7 @@ std::size_t Session::queued_for_latency() const {
 
 void Session::choose() {
     // At the limit not even a probe is of use: it leads to full rays only.
-    while (outstanding_ < window() && full_asked_ < full_limit_) {
+    while (!paused() && outstanding_ < window() && full_asked_ < full_limit_) {
         const auto request = previewer_.next();
         if (!request) return;
         if (request->kind == RayKind::full) ++full_asked_;

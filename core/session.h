@@ -34,6 +34,11 @@ class Session {
     /// there goes on when the limit is raised.
     void limit_full(std::size_t limit) { full_limit_ = limit; }
 
+    /// For now asks for no more full rays than this, and for nothing else once it has; what was
+    /// asked for comes.
+    void pause_at(std::size_t full) { pause_at_ = full; }
+    bool paused() const { return full_asked_ >= pause_at_; }
+
     /// One round: takes the answers that have come, waiting at most `patience` for the first, and
     /// submits what the previewer wants next. Returns whether the run goes on.
     bool advance(std::chrono::nanoseconds patience);
@@ -54,6 +59,7 @@ class Session {
     Previewer& previewer_;
     SampleOracle& oracle_;
     std::size_t full_limit_ = std::numeric_limits<std::size_t>::max();
+    std::size_t pause_at_ = std::numeric_limits<std::size_t>::max();
     std::size_t full_asked_ = 0, accepted_ = 0, outstanding_ = 0;
     Counts counts_;
     Clock::duration own_{};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <chrono>
 #include <memory>
 #include <optional>
 #include <string>
@@ -42,8 +43,9 @@ class StrategyRun {
         if (wants_rungs_) take_rungs();
         if (wants_items_) take_items();
         if (wants_edges_ && (!wants_items_ || items_taken_)) take_edges();
+        let_target_be_prepared();
         if (session_.advance(patience)) return true;
-        if (!previewer_->waits()) return false;
+        if (!session_.paused() && !previewer_->waits()) return false;
         scene_.oracle().listen(patience);
         return true;
     }
@@ -76,6 +78,22 @@ class StrategyRun {
     }
 
    private:
+    /// Leaves the tracer to prepare the target, for a moment once there is a first look: photons
+    /// and radiosity that take no longer than that take several times as long beside samples, which
+    /// are soon traced again.
+    void let_target_be_prepared() {
+        using Clock = std::chrono::steady_clock;
+        constexpr std::chrono::milliseconds moment{100};
+        const std::size_t look = first_look(scene_.description());
+        if (samples() >= look && !preparing_until_) preparing_until_ = Clock::now() + moment;
+        const bool over = !wants_rungs_ || (preparing_until_ && Clock::now() >= *preparing_until_);
+        session_.pause_at(over ? SIZE_MAX : look);
+    }
+    /// Samples that the tracer makes before it prepares anything.
+    static std::size_t first_look(const SceneDescription& scene) {
+        return std::size_t(scene.width) * std::size_t(scene.height) / 128;
+    }
+
     static std::unique_ptr<Previewer> observed(std::unique_ptr<Previewer> previewer,
                                                Recording* recording) {
         if (!recording) return previewer;
@@ -122,6 +140,7 @@ class StrategyRun {
     Session session_;
     bool wants_edges_ = false, wants_items_ = false, wants_rungs_ = false;
     const DrawnDetail* items_taken_ = nullptr;
+    std::optional<std::chrono::steady_clock::time_point> preparing_until_;
     std::vector<unsigned> rungs_taken_;  // of those that became ready, told to the previewer
     std::size_t edges_taken_ = 0;        // of the scene's
 };

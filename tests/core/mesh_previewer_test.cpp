@@ -319,6 +319,22 @@ TEST(Session, GoesOnWhereTheLimitIsRaised) {
     EXPECT_TRUE(previewer.done());
 }
 
+TEST(Session, PausesAndGoesOn) {
+    MeshPreviewer previewer(100, 80);
+    FunctionOracle oracle(images::still_life(100, 80), 8);
+    Session session(previewer, oracle);
+    session.pause_at(700);
+    while (session.advance(1ms)) {
+    }
+    EXPECT_TRUE(session.paused());
+    EXPECT_EQ(session.counts().full, 700u);
+    session.pause_at(SIZE_MAX);
+    EXPECT_FALSE(session.paused());
+    while (session.advance(1ms)) {
+    }
+    EXPECT_TRUE(previewer.done());
+}
+
 TEST(EdgeWeight, IsThePapersWhereAskedFor) {
     // Section 2: |v1 - v2| + .3 dr^2 + .59 dg^2 + .11 db^2.
     EXPECT_FLOAT_EQ(colour_distance({1, 0, 0}, {0, 0, 0}), .3f);
