@@ -22,7 +22,7 @@ constexpr std::size_t first_refresh = 128;
 
 /// Where fewer pixels than one in so many were sampled below the target, tracing them again holds
 /// up a lattice by little.
-constexpr std::size_t pixels_to_one_low = 64;
+constexpr std::size_t pixels_to_one_low = 120;
 
 /// More positions than this teach nothing: cornell and patio-radio_37 come to each error as soon.
 constexpr std::size_t most_learnt = 2048;

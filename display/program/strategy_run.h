@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <memory>
 #include <optional>
@@ -33,6 +34,7 @@ class StrategyRun {
           wants_edges_(previewer_->wants_edges()),
           wants_items_(previewer_->wants_items()),
           wants_rungs_(!accuracy && scene.description().ladder.rungs.size() > 1),
+          has_radiosity_(has_radiosity(scene.description())),
           rungs_taken_(scene.description().ladder.rungs.size()) {
         if (wants_edges_) scene_.claim_edges();
     }
@@ -78,16 +80,21 @@ class StrategyRun {
     }
 
    private:
-    /// Leaves the tracer to prepare the target, for a moment once there is a first look: photons
-    /// and radiosity that take no longer than that take several times as long beside samples, which
-    /// are soon traced again.
+    /// Leaves the tracer to prepare the target, for a moment once there is a first look: radiosity
+    /// that takes no longer than that takes several times as long beside samples, which are soon
+    /// traced again. Without photons pictures are closer to the finished one, and go on.
     void let_target_be_prepared() {
+        if (!has_radiosity_) return;
         using Clock = std::chrono::steady_clock;
         constexpr std::chrono::milliseconds moment{100};
         const std::size_t look = first_look(scene_.description());
         if (samples() >= look && !preparing_until_) preparing_until_ = Clock::now() + moment;
         const bool over = !wants_rungs_ || (preparing_until_ && Clock::now() >= *preparing_until_);
         session_.pause_at(over ? SIZE_MAX : look);
+    }
+    static bool has_radiosity(const SceneDescription& scene) {
+        return std::find(scene.features.begin(), scene.features.end(), "radiosity") !=
+               scene.features.end();
     }
     /// Samples that the tracer makes before it prepares anything.
     static std::size_t first_look(const SceneDescription& scene) {
@@ -140,6 +147,7 @@ class StrategyRun {
     Session session_;
     bool wants_edges_ = false, wants_items_ = false, wants_rungs_ = false;
     const DrawnDetail* items_taken_ = nullptr;
+    const bool has_radiosity_;
     std::optional<std::chrono::steady_clock::time_point> preparing_until_;
     std::vector<unsigned> rungs_taken_;  // of those that became ready, told to the previewer
     std::size_t edges_taken_ = 0;        // of the scene's
