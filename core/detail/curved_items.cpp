@@ -165,12 +165,12 @@ class CurvedDrawing {
             return most;
         // They are drawn again later, which changes nothing.
         const int height = box_.bottom - box_.top, rows = std::min(rows_tried, height);
+        // Of narrow boxes all blocks are tried.
+        const int width = box_.right - box_.left, blocks = (width + ray_lanes - 1) / ray_lanes;
+        const int step = std::clamp(blocks / blocks_tried, 1, blocks_to_one_tried);
         int tried = 0;
         for (int i = 0; i < rows && !pace_.stopped(); ++i) {
             const int y = box_.top + (2 * i + 1) * height / (2 * rows);
-            // Of narrow boxes all blocks are tried.
-            const int width = box_.right - box_.left, blocks = (width + ray_lanes - 1) / ray_lanes;
-            const int step = std::clamp(blocks / blocks_tried, 1, blocks_to_one_tried);
             for (int block = i % step; block < blocks; block += step) {
                 const int left = box_.left + block * ray_lanes;
                 const int right = std::min(left + ray_lanes, box_.right);

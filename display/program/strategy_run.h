@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
-#include <algorithm>
 #include <chrono>
 #include <memory>
 #include <optional>
@@ -34,7 +33,7 @@ class StrategyRun {
           wants_edges_(previewer_->wants_edges()),
           wants_items_(previewer_->wants_items()),
           wants_rungs_(!accuracy && scene.description().ladder.rungs.size() > 1),
-          has_radiosity_(has_radiosity(scene.description())),
+          has_radiosity_(scene.description().has("radiosity")),
           rungs_taken_(scene.description().ladder.rungs.size()) {
         if (wants_edges_) scene_.claim_edges();
     }
@@ -91,10 +90,6 @@ class StrategyRun {
         if (samples() >= look && !preparing_until_) preparing_until_ = Clock::now() + moment;
         const bool over = !wants_rungs_ || (preparing_until_ && Clock::now() >= *preparing_until_);
         session_.pause_at(over ? SIZE_MAX : look);
-    }
-    static bool has_radiosity(const SceneDescription& scene) {
-        return std::find(scene.features.begin(), scene.features.end(), "radiosity") !=
-               scene.features.end();
     }
     /// Samples that the tracer makes before it prepares anything.
     static std::size_t first_look(const SceneDescription& scene) {
