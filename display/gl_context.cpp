@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "core/error.h"
+#include "display/address_space.h"
 
 namespace povpreview {
 
@@ -62,6 +63,7 @@ Backend backend_named(std::string_view name) {
 }
 
 std::unique_ptr<GlContext> open_offscreen(Backend backend) {
+    require_address_space(address_space::drawing, "OpenGL");
     const char* named = std::getenv("POVPREVIEW_BACKEND");
     if (backend == Backend::automatic && named && *named) backend = backend_named(named);
     if (backend == Backend::egl) return open_egl();

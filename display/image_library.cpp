@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "core/error.h"
+#include "display/address_space.h"
 
 namespace povpreview {
 namespace {
@@ -21,6 +22,7 @@ std::filesystem::path module_path() {
 
 const ImageLibrary* load() {
     const std::filesystem::path path = module_path();
+    require_address_space(address_space::images, "the image library");
     // Never unloaded: the libraries behind it have threads and exit handlers of their own.
     void* module = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
     using Entry = const ImageLibrary* (*)();

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <new>
 
+#include "display/address_space.h"
 #include "display/program/compare.h"
 #include "display/program/figures.h"
 #include "display/program/interrupt.h"
@@ -20,6 +21,7 @@ int main(int argc, char** argv) {
             fmt::print("{}", command.text);
             return 0;
         }
+        require_address_space(address_space::preview, "the preview");
         catch_interrupts();
         return static_cast<int>(command.compare     ? compare(*command.compare)
                                 : command.figures   ? figures(*command.figures)
