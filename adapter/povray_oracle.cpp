@@ -417,15 +417,14 @@ void PovrayOracle::restart() {
     const std::string end = process_->stop();
     const std::string words = process_->last_words();
     const std::string said = words.empty() ? "" : "; its last words were:\n" + words;
-    if (state_ != State::serving) {
-        // POV-Ray that refuses its options says so and leaves with 1, sometimes before the wire is
-        // there to say it on.
-        const bool refused = process_->exit_status() == 1 && !words.empty();
-        fail(refused ? Exit::scene : Exit::tracer,
-             fmt::format("the tracer {} before the scene was ready{}", end, said), "");
-    }
+    const bool serving = state_ == State::serving;
     const std::string how =
-        fmt::format("the tracer {}{}", end, broken_off ? " in the middle of a message" : "");
+        fmt::format("the tracer {}{}{}", end, serving ? "" : " before the scene was ready",
+                    broken_off ? " in the middle of a message" : "");
+    // POV-Ray that refuses its options says so and leaves with 1, sometimes before the wire is
+    // there to say it on. A scene that was read once may be read again.
+    const bool refused = !serving && process_->exit_status() == 1 && !words.empty();
+    if (refused || !scene_) fail(refused ? Exit::scene : Exit::tracer, how + said, "");
     if (++barren_deaths_ >= barren_deaths_limit)
         fail(Exit::tracer,
              fmt::format("{}, {} times in a row without an answer{}", how, barren_deaths_, said),

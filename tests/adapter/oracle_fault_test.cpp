@@ -25,6 +25,22 @@ bool contains_text(const std::string& text, const std::string& part) {
 }
 #define EXPECT_TEXT(text, part) EXPECT_TRUE(contains_text(text, part)) << text
 
+/// A tracer whose lives have these arguments in turn, and the last ones from then on: `script` is
+/// made for it, and `lived` counts them.
+PovrayOracle::Settings lives(const std::string& script, const std::string& lived,
+                             const std::vector<std::string>& arguments) {
+    std::ofstream text(script);
+    text << "#!/bin/sh\necho >>" << lived << "\ncase $(wc -l <" << lived << ") in\n";
+    for (std::size_t i = 0; i < arguments.size(); ++i)
+        text << (i + 1 < arguments.size() ? std::to_string(i + 1) : "*")
+             << ") exec " FAKE_TRACER " " << arguments[i] << " ;;\n";
+    text << "esac\n";
+    std::filesystem::permissions(script, std::filesystem::perms::owner_all);
+    PovrayOracle::Settings settings = fake_tracer({});
+    settings.program = script;
+    return settings;
+}
+
 // ---- mended
 
 TEST_F(OracleTest, ADeathIsMendedOnce) {
@@ -54,6 +70,21 @@ TEST_F(OracleTest, ATracerThatLeavesOrBreaksOffIsStartedAgain) {
         EXPECT_EQ(contains_text(oracle.faults().at(0), "in the middle of a message"),
                   std::string(fault) == "fault=half");
     }
+}
+
+TEST_F(OracleTest, ADeathWhileASceneIsReadAgainIsMended) {
+    PovrayOracle oracle(lives(fresh_file(), fresh_file(), {"die_after=1000", "parse=kill", ""}));
+    expect_mended(oracle);
+    EXPECT_EQ(oracle.statistics().restarts, 2U);
+    EXPECT_EQ(oracle.statistics().failed, 0U);
+    EXPECT_TEXT(oracle.faults().at(1), "before the scene was ready");
+}
+
+TEST_F(OracleTest, ASceneThatCannotBeReadAgainIsGivenUp) {
+    const auto killed = lives(fresh_file(), fresh_file(), {"die_after=1000", "parse=kill"});
+    EXPECT_TEXT(error_of(killed, Exit::tracer), "in a row without an answer");
+    const auto refused = lives(fresh_file(), fresh_file(), {"die_after=1000", "parse=refuse"});
+    EXPECT_TEXT(error_of(refused, Exit::scene), "Failed to parse command-line option");
 }
 
 TEST_F(OracleTest, ASampleThatKillsIsLeftOutAlone) {
@@ -176,17 +207,8 @@ INSTANTIATE_TEST_SUITE_P(
     });
 
 TEST_F(OracleTest, TheSceneChangesItsSizeBetweenTwoLives) {
-    // The second life reads another scene, here by a wrapper that changes its arguments.
-    const std::string mark = fresh_file(), script = fresh_file();
-    std::ofstream(script) << "#!/bin/sh\nif [ -e " << mark << " ]; then exec " FAKE_TRACER
-                          << " parse=tiny; fi\n: > " << mark << "\nexec " FAKE_TRACER
-                          << " die_after=100\n";
-    std::filesystem::permissions(script, std::filesystem::perms::owner_all);
-    PovrayOracle::Settings settings = fake_tracer({});
-    settings.program = script;
+    const auto settings = lives(fresh_file(), fresh_file(), {"die_after=100", "parse=tiny"});
     EXPECT_TEXT(error_of(settings, Exit::scene), "another image size");
-    std::filesystem::remove(mark);
-    std::filesystem::remove(script);
 }
 
 TEST_F(OracleTest, AMissingOrUnfitProgram) {
