@@ -30,7 +30,8 @@ struct CostPlan {
 /// is not known. The answer changes in few steps, so that two runs seldom differ.
 CostPlan plan_by_cost(double sample_ns, std::size_t pixels);
 
-/// What an albedo ray costs against a full sample; 1 where either is not known (0).
+/// What an albedo ray costs, the tracer and us, against a full sample; 1 where either is not known
+/// (0).
 double albedo_price(double albedo_ns, double full_ns);
 
 /// The mean of costs in nanoseconds, without those few during which the tracer's thread was put

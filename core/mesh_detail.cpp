@@ -127,7 +127,12 @@ std::optional<Request> MeshPreviewer::next_trial() {
         trials_ * full_to_a_trial >= grid_asked_)
         return std::nullopt;
     const Pixel pixel = grid_[trials_++ * full_to_a_trial];
+    return request_albedo(pixel);
+}
+
+Request MeshPreviewer::request_albedo(Pixel pixel) {
     pending_.push_back({Pending::Use::albedo, pixel});
+    ++albedos_pending_;
     return Request{squares_.centre(pixel), RayKind::albedo};
 }
 
@@ -152,11 +157,11 @@ void MeshPreviewer::consider_albedos(VertexId a, VertexId b) {
 std::optional<Request> MeshPreviewer::next_albedo() {
     const auto pixel = albedo_fetch_.next(detail_.get());
     if (!pixel) return std::nullopt;
-    pending_.push_back({Pending::Use::albedo, *pixel});
-    return Request{squares_.centre(*pixel), RayKind::albedo};
+    return request_albedo(*pixel);
 }
 
 void MeshPreviewer::accept_albedo(Pixel pixel, const Sample& sample) {
+    --albedos_pending_;
     // A trial, of a pixel that gets a full sample as well. They come before all others.
     if (trial_costs_.size() < trials_) {
         trial_costs_.push_back(options_.by_cost ? sample.cost_ns : 0);

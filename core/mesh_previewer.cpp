@@ -109,7 +109,7 @@ std::optional<Request> MeshPreviewer::next() {
     }
     if (lattice_) return next_in_lattice();
     if (auto trial = next_trial_above()) return trial;
-    if (climb_.undecided() && pending_.size() >= undecided_window) return std::nullopt;
+    if (climb_.undecided() && dear_pending() >= undecided_window) return std::nullopt;
     if (retrace_turn_) {
         retrace_turn_ = false;  // new samples take turns with old ones
         if (auto again = next_retrace(climb_.current())) return again;
@@ -125,7 +125,7 @@ std::optional<Request> MeshPreviewer::next() {
     if (search_.active() > 0 && !outlines_overdrawn()) {
         if (auto probe = next_probe()) return probe;
         // Answers come in the order of requests: a long queue would hold up every probe.
-        if (pending_.size() >= window_per_outline * (1 + search_.active())) return std::nullopt;
+        if (dear_pending() >= window_per_outline * (1 + search_.active())) return std::nullopt;
     }
     for (;;) {
         if (const auto pixel = squares_.next_to_fill())

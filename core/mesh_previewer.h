@@ -136,6 +136,8 @@ class MeshPreviewer : public Previewer {
     // What is asked for after them.
     bool is_dense(std::size_t square) const;
     std::optional<Request> request(Pending pending);
+    /// Requests outstanding that keep the tracer busy: it answers albedo rays in no time.
+    std::size_t dear_pending() const { return pending_.size() - albedos_pending_; }
     std::optional<Request> next_in_lattice();
     std::optional<Request> refine();
     std::optional<Request> refine(const RefinementHeap::Entry& entry);
@@ -180,6 +182,7 @@ class MeshPreviewer : public Previewer {
     void consider_albedos(VertexId a, VertexId b);
     std::optional<Request> next_trial();
     std::optional<Request> next_albedo();
+    Request request_albedo(Pixel pixel);
     void accept_albedo(Pixel pixel, const Sample& sample);
     void draw_detail(Picture& picture) const;
 
@@ -235,7 +238,8 @@ class MeshPreviewer : public Previewer {
     std::size_t early_samples_ = 0;
     std::vector<Pixel> grid_;  // first samples, in order
     std::size_t grid_asked_ = 0;
-    std::size_t vertices_pending_ = 0;     // answers outstanding that may bring new edges
+    std::size_t vertices_pending_ = 0;  // answers outstanding that may bring new edges
+    std::size_t albedos_pending_ = 0;
     std::deque<Pending> retries_;          // one-sided samples to ask for again
     std::vector<std::size_t> fill_order_;  // squares left when refinement ended, last first
     std::vector<EdgeChain> chains_;        // known and not yet inserted, lightest first

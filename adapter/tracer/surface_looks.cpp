@@ -170,7 +170,7 @@ bool is_mesh(const pov::ObjectBase& object) {
 }
 
 bool plain_mirror(const pov::TEXTURE& top) {
-    constexpr float least_mirror = .2f;  // as in the previewer, core/detail/mirrored_items.cpp
+    constexpr float least_mirror = .2f;  // as in the previewer, core/detail/mirrored_items.h
     return is_one_colour(top) && least_mirror_of(&top) >= least_mirror && mirror_of(&top) > 0;
 }
 

@@ -87,13 +87,14 @@ Slice WorkQueue::take(std::chrono::nanoseconds patience, bool for_target) {
 }
 
 std::size_t WorkQueue::slice_size(const Batch& batch) const {
-    const auto by_time = static_cast<std::size_t>(static_cast<double>(slice_time.count()) /
-                                                  cost_[cost_class(batch)]);
+    const double cost = cost_[cost_class(batch)];
+    const auto samples_in = [&](std::chrono::nanoseconds time) {
+        return std::max<std::size_t>(1, static_cast<std::size_t>(double(time.count()) / cost));
+    };
     const std::size_t left = batch.positions.size() - taken_;
-    std::size_t size = std::min({std::max<std::size_t>(1, by_time), max_slice, left});
-    if (waiting_ == left)  // the last batch
-        size = std::min(size, (left + threads_ - 1) / threads_);
-    return size;
+    const std::size_t share = (waiting_ + threads_ - 1) / threads_;
+    return std::min(
+        {samples_in(slice_time), max_slice, left, std::max(share, samples_in(least_slice_time))});
 }
 
 /// Rays by kind, and full rays of the lowest rung and of those between it and the target.

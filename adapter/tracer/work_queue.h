@@ -22,8 +22,9 @@ struct Slice {
 /// The batches received and not yet traced, handed out to POV-Ray's threads in slices, in order.
 ///
 /// Slices are short enough for an answer to leave about every `slice_time`, whatever a sample
-/// costs: the queue learns the cost of each kind of ray and rung from the threads. The end of the
-/// last batch is shared evenly, so that no thread idles while another traces what is left.
+/// costs: the queue learns the cost of each kind of ray and rung from the threads. What waits is
+/// shared, so that no thread idles while another traces what is left: answers reach the previewer
+/// in order, and where few are outstanding it asks for nothing before the oldest has come.
 ///
 /// Full samples of the target rung are held back until photons and radiosity are prepared for them;
 /// all else may be traced before.
@@ -33,6 +34,8 @@ class WorkQueue {
     static constexpr std::size_t max_waiting = std::size_t{1} << 22;
     static constexpr std::size_t max_slice = 1024;
     static constexpr std::chrono::nanoseconds slice_time = std::chrono::milliseconds(5);
+    /// What is traced in less time than this is not shared: an answer costs time as well.
+    static constexpr std::chrono::nanoseconds least_slice_time = std::chrono::microseconds(200);
 
     void set_threads(std::size_t threads);
 

@@ -18,6 +18,10 @@ constexpr double dearest_albedo = .32, dearest_look = .06;
 /// Edges that must tell of a surface's texture before it is fetched as a whole.
 constexpr std::uint32_t edges_for_whole = 4;
 
+/// Edges within a surface that must tell of light, and to how many of them one may tell of a
+/// texture, before its albedo is wanted no more.
+constexpr std::uint32_t edges_to_give_up = 16, explained_to_give_up = 8;
+
 /// What albedo rays may cost, against the full samples of the same time: at first the light on
 /// surfaces is worth as much as their texture.
 constexpr double albedo_share = 1;
@@ -51,7 +55,13 @@ bool AlbedoFetch::tells(std::uint32_t p, std::uint32_t q, float jump, bool expla
             whole_.push_back(p);
         }
     }
-    return explained || price_ <= dearest_look;
+    return explained || (price_ <= dearest_look && !(p == q && is_no_texture(p)));
+}
+
+/// Whether many edges within an item have differed in light, and hardly any in albedo.
+bool AlbedoFetch::is_no_texture(std::uint32_t item) const {
+    return item < items_.size() && items_[item].unexplained >= edges_to_give_up &&
+           items_[item].explained * explained_to_give_up < items_[item].unexplained;
 }
 
 void AlbedoFetch::want(std::size_t square) {

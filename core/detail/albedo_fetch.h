@@ -49,6 +49,7 @@ class AlbedoFetch {
         float jumps = 0;                               ///< sum of those explained
         bool whole = false;                            ///< is fetched as a whole, or was
     };
+    bool is_no_texture(std::uint32_t item) const;
     std::optional<Pixel> next_wanted(const DetailMap* detail);
     std::optional<Pixel> next_of_whole(const DetailMap& detail);
     void begin_whole(const DetailMap& detail);

@@ -63,6 +63,18 @@ TEST_F(AlbedoFetchTest, NothingIsWantedWhereRaysAreDear) {
     EXPECT_FALSE(fetch.next(&detail));
 }
 
+TEST_F(AlbedoFetchTest, WhereManyEdgesToldOfLightNoLookIsTaken) {
+    fetch.set_price(.01);
+    tell(0, 14, false);
+    EXPECT_TRUE(fetch.tells(0, 0, jump, false));
+    EXPECT_FALSE(fetch.tells(0, 0, jump, false));
+    EXPECT_TRUE(fetch.tells(0, 0, jump, true)) << "what tells of a texture is heard";
+    EXPECT_TRUE(fetch.tells(0, 1, jump, false)) << "the border may lie anywhere";
+    EXPECT_TRUE(fetch.tells(1, 1, jump, false));
+    tell(0, 2);
+    EXPECT_TRUE(fetch.tells(0, 0, jump, false)) << "more than one in eight";
+}
+
 TEST_F(AlbedoFetchTest, WhatHardlyDiffersTellsNothing) {
     fetch.set_price(.01);
     EXPECT_FALSE(fetch.tells(0, 0, 1e-6f, true));
