@@ -43,8 +43,9 @@ AdaptiveLattice::AdaptiveLattice(const BfSquares& squares, int width, int height
       first_side_(first_side),
       right_(last_point(width, first_side)),
       below_(last_point(height, first_side)),
-      encoded_(std::make_unique_for_overwrite<glm::vec3[]>(squares.pixels())),
-      states_((std::size_t(right_) + 1) * (std::size_t(below_) + 1), State::open) {
+      encoded_(squares.pixels()),
+      lights_of_(squares.pixels()),
+      states_((std::size_t(right_) + 1) * (std::size_t(below_) + 1)) {
     assert(width >= 1 && height >= 1 && first_side >= 2 && (first_side & (first_side - 1)) == 0);
     squares.for_each_known(
         [&](Pixel pixel) { encoded_[pixel] = encode_srgb(squares.colour(pixel)); });
@@ -142,7 +143,6 @@ void AdaptiveLattice::accept(Pixel pixel, const RungLight& light) {
     if (!squares_.has_colour(pixel)) return;
     encoded_[pixel] = encode_srgb(light.colour);
     if (!light.shaded) return;
-    if (lights_of_.empty()) lights_of_.resize(squares_.pixels());
     if (lights_of_[pixel] == 0) {
         lights_.emplace_back();
         lights_of_[pixel] = static_cast<std::uint32_t>(lights_.size());
@@ -242,7 +242,7 @@ int AdaptiveLattice::orphans(const Diamond& diamond, const Corners& corners,
 /// is to be found out.
 float AdaptiveLattice::contrast(std::span<const Pixel> c, const DetailMap* detail) const {
     std::array<std::optional<glm::vec3>, 4> lights;
-    if (detail && !lights_of_.empty())
+    if (detail && !lights_.empty())
         for (std::size_t i = 0; i < c.size(); ++i)
             if (lights_of_[c[i]] && detail->albedo_state(c[i]) == DetailMap::Albedo::known) {
                 const Light& light = lights_[lights_of_[c[i]] - 1];
@@ -311,7 +311,7 @@ bool AdaptiveLattice::mix(std::span<const Part> parts, glm::vec3& encoded) const
 
 bool AdaptiveLattice::mix_light(std::span<const Part> parts, const glm::vec3& albedo,
                                 glm::vec3& linear) const {
-    if (lights_of_.empty()) return false;
+    if (lights_.empty()) return false;
     Light sum{glm::vec3(0), glm::vec3(0)};
     float shares = 0;
     for (const Part& part : parts) {

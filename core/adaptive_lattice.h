@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <deque>
 #include <glm/vec3.hpp>
-#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -15,6 +14,7 @@
 #include "core/detail/detail_map.h"
 #include "core/halved_triangles.h"
 #include "core/picture.h"
+#include "core/pixel_memory.h"
 #include "core/rung_shift.h"
 
 namespace povpreview {
@@ -52,9 +52,9 @@ class AdaptiveLattice {
 
    private:
     enum class State : std::uint8_t {
-        open,   ///< its diamond may be halved
-        asked,  ///< its sample is on its way
-        corner  ///< of triangles
+        open = 0,  ///< its diamond may be halved
+        asked,     ///< its sample is on its way
+        corner     ///< of triangles
     };
     /// A point whose sample is on its way.
     struct Coming {
@@ -114,10 +114,10 @@ class AdaptiveLattice {
     const BfSquares& squares_;
     int width_, height_, first_side_;
     int right_, below_;                     // the last points, at or beyond the image's border
-    std::unique_ptr<glm::vec3[]> encoded_;  // by pixel: the known samples, unclamped
-    std::vector<std::uint32_t> lights_of_;  // by pixel: 1 + number in lights_; empty: none is known
+    PixelMemory<glm::vec3> encoded_;        // by pixel: the known samples, unclamped
+    PixelMemory<std::uint32_t> lights_of_;  // by pixel: 1 + number in lights_; 0: not known
     std::vector<Light> lights_;
-    std::vector<State> states_;       // by point
+    PixelMemory<State> states_;       // by point
     std::size_t roots_left_ = 0;      // corners of the first squares that are on their way
     std::deque<LatticePoint> asked_;  // to be asked for next, oldest first
     std::deque<Coming> coming_;       // oldest first

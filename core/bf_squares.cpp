@@ -12,9 +12,8 @@ BfSquares::BfSquares(int width, int height)
       height_(height),
       columns_((width + side - 1) / side),
       rows_((height + side - 1) / side),
-      colours_(std::make_unique_for_overwrite<glm::vec3[]>(static_cast<std::size_t>(width) *
-                                                           static_cast<std::size_t>(height))),
-      states_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), State::unsampled),
+      colours_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)),
+      states_(colours_.size()),
       counts_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_)),
       filling_(counts_.size()) {
     static_assert(side * side <= 255, "counts are bytes");

@@ -5,11 +5,11 @@
 #include <deque>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
-#include <memory>
 #include <optional>
 #include <vector>
 
 #include "core/picture.h"
+#include "core/pixel_memory.h"
 
 namespace povpreview {
 
@@ -25,7 +25,7 @@ class BfSquares {
     static constexpr int side = 8;
 
     enum class State : std::uint8_t {
-        unsampled,
+        unsampled = 0,  // as PixelMemory is at first
         requested,
         meshed,  ///< known, and a vertex of the mesh shows it
         known,   ///< known to the pixel alone
@@ -94,8 +94,8 @@ class BfSquares {
     bool mean_around(Pixel pixel, glm::vec3& mean) const;
 
     int width_, height_, columns_, rows_;
-    std::unique_ptr<glm::vec3[]> colours_;  // of known pixels; else no memory is touched
-    std::vector<State> states_;
+    PixelMemory<glm::vec3> colours_;  // of known pixels; else no memory is touched
+    PixelMemory<State> states_;
     std::vector<std::uint8_t> counts_;
     std::vector<std::uint8_t> filling_;
     std::deque<std::size_t> queue_;  // squares being filled, oldest first

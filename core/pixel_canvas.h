@@ -5,9 +5,9 @@
 #include <cstddef>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
-#include <vector>
 
 #include "core/picture.h"
+#include "core/pixel_memory.h"
 
 namespace povpreview {
 
@@ -36,14 +36,14 @@ class PixelCanvas {
         Picture picture;
         picture.width = width_;
         picture.height = height_;
-        picture.pixels = pixels_;
+        picture.pixels.assign(pixels_.all().begin(), pixels_.all().end());
         picture.known.assign(pixels_.size(), 1);
         return picture;
     }
 
    private:
     int width_, height_;
-    std::vector<glm::vec3> pixels_;
+    PixelMemory<glm::vec3> pixels_;
 };
 
 }  // namespace povpreview

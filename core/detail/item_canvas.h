@@ -9,9 +9,9 @@
 #include <optional>
 #include <vector>
 
-#include "core/detail/pixel_memory.h"
 #include "core/detail/pixel_rays.h"
 #include "core/detail/runs.h"
+#include "core/pixel_memory.h"
 
 namespace povpreview {
 
@@ -56,7 +56,7 @@ class ItemCanvas {
     /// From now on only these pixels may be drawn to, when they have been closed and some of them
     /// opened.
     void limit_to(const PixelBox& area) {
-        if (!planes_->limits) planes_->limits.emplace(index(0, height_));
+        if (!planes_->limits) planes_->limits.emplace(index(0, height_), Touched::all_over);
         ties_.clear();
         area_ = area;
     }
@@ -151,7 +151,8 @@ class ItemCanvas {
     static constexpr double infinity = std::numeric_limits<double>::infinity();
 
     struct Planes {
-        explicit Planes(std::size_t pixels) : nearness(pixels), sources(pixels) {}
+        explicit Planes(std::size_t pixels)
+            : nearness(pixels, Touched::all_over), sources(pixels, Touched::all_over) {}
         PixelMemory<double> nearness;
         PixelMemory<Source> sources;
         std::optional<PixelMemory<double>> limits{};  // of a mirror's canvas
