@@ -48,7 +48,7 @@ AdaptiveLattice::AdaptiveLattice(const BfSquares& squares, int width, int height
       states_((std::size_t(right_) + 1) * (std::size_t(below_) + 1)) {
     assert(width >= 1 && height >= 1 && first_side >= 2 && (first_side & (first_side - 1)) == 0);
     squares.for_each_known(
-        [&](Pixel pixel) { encoded_[pixel] = encode_srgb(squares.colour(pixel)); });
+        [&](Pixel pixel) { encoded_[squares.number(pixel)] = encode_srgb(squares.colour(pixel)); });
     for (int y = 0; y <= below_; y += first_side)
         for (int x = 0; x <= right_; x += first_side) ask({x, y});
     roots_left_ = asked_.size();
@@ -141,13 +141,20 @@ void AdaptiveLattice::weigh(LatticePoint centre, const DetailMap* detail) {
 
 void AdaptiveLattice::accept(Pixel pixel, const RungLight& light) {
     if (!squares_.has_colour(pixel)) return;
-    encoded_[pixel] = encode_srgb(light.colour);
+    const std::uint32_t number = squares_.number(pixel);
+    encoded_[number] = encode_srgb(light.colour);
     if (!light.shaded) return;
-    if (lights_of_[pixel] == 0) {
+    if (lights_of_[number] == 0) {
         lights_.emplace_back();
-        lights_of_[pixel] = static_cast<std::uint32_t>(lights_.size());
+        lights_of_[number] = static_cast<std::uint32_t>(lights_.size());
     }
-    lights_[lights_of_[pixel] - 1] = {light.illumination, light.remainder};
+    lights_[lights_of_[number] - 1] = {light.illumination, light.remainder};
+}
+
+/// Of a pixel that has been answered; null where it is not known.
+const AdaptiveLattice::Light* AdaptiveLattice::light_at(Pixel pixel) const {
+    const std::uint32_t light = lights_of_[squares_.number(pixel)];
+    return light ? &lights_[light - 1] : nullptr;
 }
 
 /// What is asked for already is in the queue no more, or idle there.
@@ -244,11 +251,10 @@ float AdaptiveLattice::contrast(std::span<const Pixel> c, const DetailMap* detai
     std::array<std::optional<glm::vec3>, 4> lights;
     if (detail && !lights_.empty())
         for (std::size_t i = 0; i < c.size(); ++i)
-            if (lights_of_[c[i]] && detail->albedo_state(c[i]) == DetailMap::Albedo::known) {
-                const Light& light = lights_[lights_of_[c[i]] - 1];
+            if (const Light* light = light_at(c[i]);
+                light && detail->albedo_state(c[i]) == DetailMap::Albedo::known)
                 lights[i] =
-                    roughly_encoded(detail->albedo(c[0]) * light.illumination + light.remainder);
-            }
+                    roughly_encoded(detail->albedo(c[0]) * light->illumination + light->remainder);
     float most = 0;
     for (std::size_t i = 0; i < c.size(); ++i)
         for (std::size_t j = 0; j < i; ++j) {
@@ -267,7 +273,8 @@ float AdaptiveLattice::contrast(std::span<const Pixel> c, const DetailMap* detai
 float AdaptiveLattice::jump(Pixel p, Pixel q) const {
     const auto shown = [](const glm::vec3& v) { return glm::clamp(v, 0.f, 1.f); };
     if (!squares_.has_colour(p) || !squares_.has_colour(q)) return 0;
-    return colour_distance(shown(encoded_[p]), shown(encoded_[q]));
+    return colour_distance(shown(encoded_[squares_.number(p)]),
+                           shown(encoded_[squares_.number(q)]));
 }
 
 /// Calls visit with the path to each triangle that is not halved, of those at the path's end.
@@ -302,7 +309,7 @@ bool AdaptiveLattice::mix(std::span<const Part> parts, glm::vec3& encoded) const
     float shares = 0;
     for (const Part& part : parts) {
         if (!(part.share > 0) || !squares_.has_colour(part.pixel)) continue;
-        sum += part.share * encoded_[part.pixel];
+        sum += part.share * encoded_[squares_.number(part.pixel)];
         shares += part.share;
     }
     if (shares > 0) encoded = sum / shares;
@@ -311,14 +318,13 @@ bool AdaptiveLattice::mix(std::span<const Part> parts, glm::vec3& encoded) const
 
 bool AdaptiveLattice::mix_light(std::span<const Part> parts, const glm::vec3& albedo,
                                 glm::vec3& linear) const {
-    if (lights_.empty()) return false;
     Light sum{glm::vec3(0), glm::vec3(0)};
     float shares = 0;
     for (const Part& part : parts) {
-        const std::uint32_t number = lights_of_[part.pixel];
-        if (!(part.share > 0) || number == 0) continue;
-        sum.illumination += part.share * lights_[number - 1].illumination;
-        sum.remainder += part.share * lights_[number - 1].remainder;
+        const Light* const light = part.share > 0 ? light_at(part.pixel) : nullptr;
+        if (!light) continue;
+        sum.illumination += part.share * light->illumination;
+        sum.remainder += part.share * light->remainder;
         shares += part.share;
     }
     if (shares > 0) linear = (albedo * sum.illumination + sum.remainder) / shares;

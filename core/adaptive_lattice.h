@@ -99,6 +99,7 @@ class AdaptiveLattice {
     int orphans(const Diamond& diamond, const Corners& corners, const DetailMap& detail) const;
     float contrast(std::span<const Pixel> corners, const DetailMap* detail) const;
     float jump(Pixel p, Pixel q) const;
+    const Light* light_at(Pixel pixel) const;
 
     Parts3 parts(const HalvedTriangle& triangle, int x, int y) const;
     std::optional<Parts3> parts_on(std::uint32_t item, const Path& path, int x, int y,
@@ -114,8 +115,8 @@ class AdaptiveLattice {
     const BfSquares& squares_;
     int width_, height_, first_side_;
     int right_, below_;                     // the last points, at or beyond the image's border
-    PixelMemory<glm::vec3> encoded_;        // by pixel: the known samples, unclamped
-    PixelMemory<std::uint32_t> lights_of_;  // by pixel: 1 + number in lights_; 0: not known
+    PixelMemory<glm::vec3> encoded_;        // by BfSquares::number(): the samples, unclamped
+    PixelMemory<std::uint32_t> lights_of_;  // by the same: 1 + number in lights_; 0: not known
     std::vector<Light> lights_;
     PixelMemory<State> states_;       // by point
     std::size_t roots_left_ = 0;      // corners of the first squares that are on their way

@@ -13,6 +13,7 @@ BfSquares::BfSquares(int width, int height)
       columns_((width + side - 1) / side),
       rows_((height + side - 1) / side),
       colours_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)),
+      numbers_(colours_.size()),
       states_(colours_.size()),
       counts_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_)),
       filling_(counts_.size()) {
@@ -55,19 +56,21 @@ void BfSquares::request(Pixel pixel) {
 void BfSquares::answer(Pixel pixel, const glm::vec3& colour) {
     assert(states_[pixel] == State::requested);
     states_[pixel] = State::known;
-    colours_[pixel] = colour;
+    numbers_[pixel] = static_cast<std::uint32_t>(answered());
+    colours_[number(pixel)] = colour;
     ++known_;
 }
 
 void BfSquares::fail(Pixel pixel) {
     assert(states_[pixel] == State::requested);
     states_[pixel] = State::failed;
+    numbers_[pixel] = static_cast<std::uint32_t>(answered());
     ++failed_;
 }
 
 void BfSquares::replace(Pixel pixel, const glm::vec3& colour) {
     assert(has_colour(pixel) || states_[pixel] == State::failed);
-    colours_[pixel] = colour;
+    colours_[number(pixel)] = colour;
     if (states_[pixel] != State::failed) return;
     states_[pixel] = State::known;
     --failed_;
@@ -120,7 +123,7 @@ bool BfSquares::mean_around(Pixel pixel, glm::vec3& mean) const {
         for (int i = std::max(0, x - 1); i <= std::min(width_ - 1, x + 1); ++i) {
             const auto neighbour = static_cast<Pixel>(j * width_ + i);
             if (!has_colour(neighbour)) continue;
-            sum += colours_[neighbour];
+            sum += colour(neighbour);
             ++count;
         }
     if (count == 0) return false;
@@ -132,7 +135,7 @@ void BfSquares::draw(Picture& picture) const {
     picture.pixels.resize(states_.size());
     picture.known.resize(states_.size());
     for (Pixel pixel = 0; pixel < states_.size(); ++pixel) {
-        if (has_colour(pixel)) picture.pixels[pixel] = colours_[pixel];
+        if (has_colour(pixel)) picture.pixels[pixel] = colour(pixel);
         // A failed pixel without known ones around it leaves its place to the triangles.
         switch (states_[pixel]) {
             case State::meshed:

@@ -38,7 +38,10 @@ class BfSquares {
     bool has_colour(Pixel pixel) const {
         return states_[pixel] == State::meshed || states_[pixel] == State::known;
     }
-    const glm::vec3& colour(Pixel pixel) const { return colours_[pixel]; }
+    const glm::vec3& colour(Pixel pixel) const { return colours_[number(pixel)]; }
+    /// The number of a pixel that has been answered, from 0 in the order in which they were.
+    /// REQUIRES: it has been answered, or failed.
+    std::uint32_t number(Pixel pixel) const { return numbers_[pixel]; }
     Pixel pixel_at(glm::dvec2 position) const;  ///< clamped to the image
     glm::dvec2 centre(Pixel pixel) const;
 
@@ -94,7 +97,9 @@ class BfSquares {
     bool mean_around(Pixel pixel, glm::vec3& mean) const;
 
     int width_, height_, columns_, rows_;
-    PixelMemory<glm::vec3> colours_;  // of known pixels; else no memory is touched
+    // As they came, not as they lie: few samples touch little memory then.
+    PixelMemory<glm::vec3> colours_;      // by number
+    PixelMemory<std::uint32_t> numbers_;  // of pixels answered
     PixelMemory<State> states_;
     std::vector<std::uint8_t> counts_;
     std::vector<std::uint8_t> filling_;

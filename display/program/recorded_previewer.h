@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <deque>
 #include <memory>
 #include <utility>
@@ -17,42 +18,65 @@ namespace povpreview {
 /// tracer and those who paint items time that the method never had.
 class Recording {
    public:
-    struct Asked {  ///< for so many requests
-        std::size_t times;
-    };
-    using Event = std::variant<Asked, Sample, const DrawnDetail*, std::vector<EdgeChain>, Rung>;
+    /// What happens seldom.
+    using Event = std::variant<const DrawnDetail*, std::vector<EdgeChain>, Rung>;
 
-    void add(Event event) { events_.push_back(std::move(event)); }
+    Recording() { steps_.reserve(1 << 20); }
+
+    /// A request was asked for.
     void add_asked() {
-        if (events_.empty() || !std::holds_alternative<Asked>(events_.back())) add(Asked{0});
-        ++std::get<Asked>(events_.back()).times;
+        if (steps_.empty()) steps_.push_back({});
+        ++steps_.back().asked;
+    }
+    void add(const Sample& sample) {
+        if (samples_.empty() || samples_.back().size() == chunk)
+            samples_.emplace_back().reserve(chunk);
+        samples_.back().push_back(sample);
+        steps_.push_back({Step::Kind::sample});
+    }
+    void add(Event event) {
+        events_.push_back(std::move(event));
+        steps_.push_back({Step::Kind::event});
     }
     /// A moment at which replay() stops.
     void mark() {
-        marks_.push_back(events_.size());
-        add(Asked{0});  // what is asked from now on comes after
+        marks_.push_back(steps_.size());
+        steps_.push_back({});  // what is asked from now on comes after
     }
     /// Bytes that it takes, about.
-    std::size_t memory() const { return events_.size() * sizeof(Event); }
+    std::size_t memory() const {
+        std::size_t bytes = steps_.size() * sizeof(Step);
+        for (const std::vector<Sample>& some : samples_) bytes += some.size() * sizeof(Sample);
+        return bytes;
+    }
 
     /// Lets the same happen to a fresh previewer, and calls visit(i) at the i-th mark, from 0.
     template <class Visit>
     void replay(Previewer& previewer, const Visit& visit) const {
-        std::size_t next = 0;
+        std::size_t step = 0, sample = 0, event = 0;
         for (std::size_t i = 0; i < marks_.size(); ++i) {
-            for (; next < marks_[i]; ++next) happen(previewer, events_[next]);
+            for (; step < marks_[i]; ++step) {
+                if (steps_[step].kind == Step::Kind::sample) previewer.accept(sample_at(sample++));
+                if (steps_[step].kind == Step::Kind::event) happen(previewer, events_[event++]);
+                for (std::uint32_t n = 0; n < steps_[step].asked; ++n) previewer.next();
+            }
             visit(i);
         }
     }
 
    private:
+    /// What happened, and how many requests were asked for after it.
+    struct Step {
+        enum class Kind : std::uint8_t { nothing, sample, event };
+        Kind kind = Kind::nothing;
+        std::uint32_t asked = 0;
+    };
+
+    const Sample& sample_at(std::size_t n) const { return samples_[n / chunk][n % chunk]; }
+
     static void happen(Previewer& previewer, const Event& event) {
         struct Happen {
             Previewer& previewer;
-            void operator()(Asked asked) const {
-                while (asked.times-- > 0) previewer.next();
-            }
-            void operator()(const Sample& sample) const { previewer.accept(sample); }
             void operator()(const DrawnDetail* items) const { previewer.accept_items(*items); }
             void operator()(std::vector<EdgeChain> chains) const {
                 previewer.accept_edges(std::move(chains));
@@ -62,7 +86,12 @@ class Recording {
         std::visit(Happen{previewer}, event);
     }
 
-    std::deque<Event> events_;
+    // To record a sample takes next to no time of the run: memory is set aside in large pieces, and
+    // none is moved.
+    static constexpr std::size_t chunk = 1 << 16;
+    std::vector<Step> steps_;
+    std::deque<std::vector<Sample>> samples_;  // chunks
+    std::vector<Event> events_;
     std::vector<std::size_t> marks_;
 };
 
@@ -85,16 +114,16 @@ class RecordedPreviewer : public Previewer {
     }
     bool wants_edges() const override { return previewer_->wants_edges(); }
     void accept_edges(std::vector<EdgeChain>&& chains) override {
-        recording_.add(chains);
+        recording_.add(Recording::Event(chains));
         previewer_->accept_edges(std::move(chains));
     }
     bool wants_items() const override { return previewer_->wants_items(); }
     void accept_items(const DrawnDetail& items) override {
-        recording_.add(&items);
+        recording_.add(Recording::Event(&items));
         previewer_->accept_items(items);
     }
     void accept_ready(Rung rung) override {
-        recording_.add(rung);
+        recording_.add(Recording::Event(rung));
         previewer_->accept_ready(rung);
     }
     bool waits() const override { return previewer_->waits(); }
