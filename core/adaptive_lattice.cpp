@@ -245,33 +245,50 @@ int AdaptiveLattice::orphans(const Diamond& diamond, const Corners& corners,
     return orphans * step * step;
 }
 
+namespace {
+
+glm::vec3 shown(const glm::vec3& encoded) { return glm::clamp(encoded, 0.f, 1.f); }
+
+}  // namespace
+
 /// The most by which two corners differ, as displayed. Where the texture is known, only the light
 /// is to be found out.
 float AdaptiveLattice::contrast(std::span<const Pixel> c, const DetailMap* detail) const {
-    std::array<std::optional<glm::vec3>, 4> lights;
-    if (detail && !lights_.empty())
-        for (std::size_t i = 0; i < c.size(); ++i)
-            if (const Light* light = light_at(c[i]);
-                light && detail->albedo_state(c[i]) == DetailMap::Albedo::known)
-                lights[i] =
-                    roughly_encoded(detail->albedo(c[0]) * light->illumination + light->remainder);
+    struct Corner {
+        bool has_colour = false;
+        glm::vec3 colour;  // if it has one
+        std::uint32_t item = DetailMap::unknown;
+        std::optional<glm::vec3> light;  // what the first corner's texture would be in its light
+    };
+    std::array<Corner, 4> corners;
+    for (std::size_t i = 0; i < c.size(); ++i) {
+        Corner& corner = corners[i];
+        corner.has_colour = squares_.has_colour(c[i]);
+        if (corner.has_colour) corner.colour = shown(encoded_[squares_.number(c[i])]);
+        if (!detail) continue;
+        corner.item = detail->item(c[i]);
+        if (lights_.empty() || detail->albedo_state(c[i]) != DetailMap::Albedo::known) continue;
+        if (const Light* light = light_at(c[i]))
+            corner.light =
+                roughly_encoded(detail->albedo(c[0]) * light->illumination + light->remainder);
+    }
+    const auto difference = [](const Corner& p, const Corner& q) {
+        const bool known = p.item != DetailMap::unknown && q.item != DetailMap::unknown;
+        const bool same = known && p.item == q.item;
+        if (same && p.light && q.light) return colour_distance(*p.light, *q.light);
+        if (!p.has_colour || !q.has_colour) return 0.f;
+        const float jump = colour_distance(p.colour, q.colour);
+        return known && !same ? jump * jump_share * jump_share : jump;
+    };
     float most = 0;
     for (std::size_t i = 0; i < c.size(); ++i)
-        for (std::size_t j = 0; j < i; ++j) {
-            const bool known = detail && detail->item(c[i]) != DetailMap::unknown &&
-                               detail->item(c[j]) != DetailMap::unknown;
-            const bool same = known && detail->item(c[i]) == detail->item(c[j]);
-            const float d = same && lights[i] && lights[j]
-                                ? colour_distance(*lights[i], *lights[j])
-                                : jump(c[i], c[j]) * (known && !same ? jump_share * jump_share : 1);
-            most = std::max(most, d);
-        }
+        for (std::size_t j = 0; j < i; ++j)
+            most = std::max(most, difference(corners[i], corners[j]));
     return std::sqrt(most);
 }
 
 /// colour_distance() of two samples; 0 where one has failed.
 float AdaptiveLattice::jump(Pixel p, Pixel q) const {
-    const auto shown = [](const glm::vec3& v) { return glm::clamp(v, 0.f, 1.f); };
     if (!squares_.has_colour(p) || !squares_.has_colour(q)) return 0;
     return colour_distance(shown(encoded_[squares_.number(p)]),
                            shown(encoded_[squares_.number(q)]));
