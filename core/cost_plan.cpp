@@ -7,6 +7,10 @@
 namespace povpreview {
 namespace {
 
+/// The constants below hold where so many of the tracer's threads work beside one of ours. More of
+/// them make samples that cost the same come sooner, and our own work tell more.
+constexpr double measured_threads = 2;
+
 /// A picture that takes the tracer less than this altogether is there in a moment.
 constexpr double moment_ns = 6e9;
 
@@ -36,20 +40,21 @@ constexpr double own_share = .05;
 
 }  // namespace
 
-CostPlan plan_by_cost(double sample_ns, std::size_t pixels) {
+CostPlan plan_by_cost(double sample_ns, std::size_t pixels, int threads) {
     if (sample_ns <= 0) return {0, false, true, true, most_vertices};
-    CostPlan plan{sample_ns, sample_ns < lattice_ns, false, false, most_vertices};
-    plan.outlines = plan.all_ns(pixels) > moment_ns;
-    plan.edges = plan.all_ns(pixels) > edges_ns;
-    const double affordable = own_share * sample_ns / vertex_ns;
+    const double as_measured_ns = sample_ns * measured_threads / threads;
+    CostPlan plan{sample_ns, as_measured_ns < lattice_ns, false, false, most_vertices};
+    plan.outlines = as_measured_ns * double(pixels) > moment_ns;
+    plan.edges = as_measured_ns * double(pixels) > edges_ns;
+    const double affordable = own_share * as_measured_ns / vertex_ns;
     while (plan.vertex_budget > affordable && plan.vertex_budget > least_vertices)
         plan.vertex_budget /= 2;
     return plan;
 }
 
-double albedo_price(double albedo_ns, double full_ns) {
+double albedo_price(double albedo_ns, double full_ns, int threads) {
     if (albedo_ns <= 0 || full_ns <= 0) return 1;
-    return (albedo_ns + albedo_own_ns) / full_ns;
+    return (albedo_ns + albedo_own_ns * threads / measured_threads) / full_ns;
 }
 
 double usual_cost(std::vector<std::uint32_t> costs) {

@@ -26,13 +26,13 @@ struct CostPlan {
     double all_ns(std::size_t pixels) const { return sample_ns * static_cast<double>(pixels); }
 };
 
-/// `sample_ns`: what a sample costs the tracer on average, in nanoseconds of one thread; 0 where it
-/// is not known. The answer changes in few steps, so that two runs seldom differ.
-CostPlan plan_by_cost(double sample_ns, std::size_t pixels);
+/// `sample_ns`: what a sample costs the tracer on average, in nanoseconds of one of its `threads`;
+/// 0 where it is not known. The answer changes in few steps, so that two runs seldom differ.
+CostPlan plan_by_cost(double sample_ns, std::size_t pixels, int threads);
 
 /// What an albedo ray costs, the tracer and us, against a full sample; 1 where either is not known
 /// (0).
-double albedo_price(double albedo_ns, double full_ns);
+double albedo_price(double albedo_ns, double full_ns, int threads);
 
 /// The mean of costs in nanoseconds, without those few during which the tracer's thread was put
 /// aside for another program; 0 of none.

@@ -70,19 +70,20 @@ void MeshPreviewer::learn_cost(const Sample& sample) {
     }
     if (!cost_known()) return;
     const double full_ns = usual_cost(grid_costs_);
-    plan_ = plan_by_cost(full_ns, squares_.pixels());
-    albedo_fetch_.set_price(options_.by_cost ? albedo_price(usual_cost(trial_costs_), full_ns)
-                                             : usual_albedo_price);
+    plan_ = plan_by_cost(full_ns, squares_.pixels(), options_.threads);
+    albedo_fetch_.set_price(options_.by_cost
+                                ? albedo_price(usual_cost(trial_costs_), full_ns, options_.threads)
+                                : usual_albedo_price);
     if (seem_cheap()) start_lattice();
     // Nothing is spared for the sake of a lower rung's cost; the target's is learnt later.
     if (climb_.at_target()) return;
     plan_.edges = true;
-    plan_.vertex_budget = plan_by_cost(0, 0).vertex_budget;
+    plan_.vertex_budget = plan_by_cost(0, 0, options_.threads).vertex_budget;
 }
 
 bool MeshPreviewer::seem_cheap() const {
     return options_.lattice && !lattice_ && !climb_.has_rungs() &&
-           plan_by_cost(usual_cost(grid_costs_), squares_.pixels()).lattice;
+           plan_by_cost(usual_cost(grid_costs_), squares_.pixels(), options_.threads).lattice;
 }
 
 }  // namespace povpreview

@@ -29,6 +29,8 @@ struct MeshOptions {
     bool detail = true;
     /// Plan by what the first samples cost; else as where that is not known.
     bool by_cost = true;
+    /// Of the tracer's threads, those that work side by side.
+    int threads = 2;
     /// Where samples are cheaper than vertices, go on with a lattice instead.
     bool lattice = true;
     WeightKind weight = WeightKind::area;
@@ -267,8 +269,8 @@ class MeshPreviewer : public Previewer {
     bool retrace_turn_ = false;
     std::vector<std::uint32_t> grid_costs_;  // of the first samples, nanoseconds
     CostPlan plan_{0, false, false, true,
-                   plan_by_cost(0, 0).vertex_budget};  // until they are known
-    std::array<Account, 6> accounts_;                  // by Pending::Use
+                   plan_by_cost(0, 0, options_.threads).vertex_budget};  // until they are known
+    std::array<Account, 6> accounts_;                                    // by Pending::Use
     bool refining_ = true;
     std::optional<AdaptiveLattice> lattice_;  // once it has taken the triangulation's place
     std::vector<Pixel> anchors_;              // for the lattice: by item

@@ -20,6 +20,7 @@ std::unique_ptr<Previewer> make_mesh(const ImageFrame& frame, MeshOptions option
     options.detail = options.detail && frame.sharp &&
                      std::int64_t{frame.width} * frame.height <= most_item_pixels;
     options.by_cost = frame.by_cost;
+    options.threads = frame.threads;
     return std::make_unique<MeshPreviewer>(frame.width, frame.height, options, frame.ladder);
 }
 

@@ -31,6 +31,7 @@ struct ImageFrame {
     /// What rays cost may decide what is asked for. False: as if that were never known, so that
     /// equal scenes give equal runs whatever the machine does beside.
     bool by_cost = true;
+    int threads = 2;  ///< of the tracer's, that work side by side
     Ladder ladder{};  ///< of accuracy; those who cannot climb ask for the target alone
 };
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <thread>
 
 #include "adapter/straight_camera.h"
 #include "display/program/tracer_program.h"
@@ -106,8 +107,15 @@ TracedScene::TracedScene(const PovrayOptions& povray, const TracerWishes& wishes
 }
 
 ImageFrame TracedScene::frame(bool fixed_accuracy, bool by_cost) const {
-    return {description_.width, description_.height, description_.camera.blur_samples == 0, by_cost,
-            fixed_accuracy ? Ladder{} : description_.ladder};
+    // More threads than there are processors for take turns.
+    const unsigned threads =
+        std::min(oracle_.tracer().threads, std::thread::hardware_concurrency());
+    return {.width = description_.width,
+            .height = description_.height,
+            .sharp = description_.camera.blur_samples == 0,
+            .by_cost = by_cost,
+            .threads = std::max(1, static_cast<int>(threads)),
+            .ladder = fixed_accuracy ? Ladder{} : description_.ladder};
 }
 
 std::optional<Rung> TracedScene::accuracy(const std::string& named) const {

@@ -375,6 +375,20 @@ bool equal(const std::vector<Request>& p, const std::vector<Request>& q) {
                       });
 }
 
+TEST(Costs, AreToldBesideOurOwnWorkByAllThreads) {
+    constexpr std::size_t pixels = 640 * 480;
+    EXPECT_FALSE(plan_by_cost(60e3, pixels, 2).lattice);
+    EXPECT_TRUE(plan_by_cost(60e3, pixels, 8).lattice);
+    for (const double ns : {1e3, 5e3, 20e3, 60e3, 300e3}) {
+        const CostPlan two = plan_by_cost(ns, pixels, 2), eight = plan_by_cost(4 * ns, pixels, 8);
+        EXPECT_EQ(two.lattice, eight.lattice) << ns;
+        EXPECT_EQ(two.outlines, eight.outlines) << ns;
+        EXPECT_EQ(two.edges, eight.edges) << ns;
+        EXPECT_EQ(two.vertex_budget, eight.vertex_budget) << ns;
+    }
+    EXPECT_GT(albedo_price(1e3, 60e3, 8), albedo_price(1e3, 60e3, 2));
+}
+
 TEST(Costs, DecideNothingWhereTheyShallNot) {
     EXPECT_TRUE(equal(asked_at_cost(10, false), asked_at_cost(1'000'000, false)));
     EXPECT_FALSE(equal(asked_at_cost(10, true), asked_at_cost(1'000'000, true)));
