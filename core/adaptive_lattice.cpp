@@ -245,26 +245,24 @@ int AdaptiveLattice::orphans(const Diamond& diamond, const Corners& corners,
     return orphans * step * step;
 }
 
-namespace {
-
-glm::vec3 shown(const glm::vec3& encoded) { return glm::clamp(encoded, 0.f, 1.f); }
-
-}  // namespace
+/// A sample as displayed; nothing where it has failed.
+std::optional<glm::vec3> AdaptiveLattice::shown(Pixel pixel) const {
+    if (!squares_.has_colour(pixel)) return std::nullopt;
+    return glm::clamp(encoded_[squares_.number(pixel)], 0.f, 1.f);
+}
 
 /// The most by which two corners differ, as displayed. Where the texture is known, only the light
 /// is to be found out.
 float AdaptiveLattice::contrast(std::span<const Pixel> c, const DetailMap* detail) const {
     struct Corner {
-        bool has_colour = false;
-        glm::vec3 colour;  // if it has one
+        std::optional<glm::vec3> colour;
         std::uint32_t item = DetailMap::unknown;
         std::optional<glm::vec3> light;  // what the first corner's texture would be in its light
     };
     std::array<Corner, 4> corners;
     for (std::size_t i = 0; i < c.size(); ++i) {
         Corner& corner = corners[i];
-        corner.has_colour = squares_.has_colour(c[i]);
-        if (corner.has_colour) corner.colour = shown(encoded_[squares_.number(c[i])]);
+        corner.colour = shown(c[i]);
         if (!detail) continue;
         corner.item = detail->item(c[i]);
         if (lights_.empty() || detail->albedo_state(c[i]) != DetailMap::Albedo::known) continue;
@@ -276,8 +274,8 @@ float AdaptiveLattice::contrast(std::span<const Pixel> c, const DetailMap* detai
         const bool known = p.item != DetailMap::unknown && q.item != DetailMap::unknown;
         const bool same = known && p.item == q.item;
         if (same && p.light && q.light) return colour_distance(*p.light, *q.light);
-        if (!p.has_colour || !q.has_colour) return 0.f;
-        const float jump = colour_distance(p.colour, q.colour);
+        if (!p.colour || !q.colour) return 0.f;
+        const float jump = colour_distance(*p.colour, *q.colour);
         return known && !same ? jump * jump_share * jump_share : jump;
     };
     float most = 0;
@@ -289,9 +287,8 @@ float AdaptiveLattice::contrast(std::span<const Pixel> c, const DetailMap* detai
 
 /// colour_distance() of two samples; 0 where one has failed.
 float AdaptiveLattice::jump(Pixel p, Pixel q) const {
-    if (!squares_.has_colour(p) || !squares_.has_colour(q)) return 0;
-    return colour_distance(shown(encoded_[squares_.number(p)]),
-                           shown(encoded_[squares_.number(q)]));
+    const auto a = shown(p), b = shown(q);
+    return a && b ? colour_distance(*a, *b) : 0;
 }
 
 /// Calls visit with the path to each triangle that is not halved, of those at the path's end.

@@ -98,6 +98,7 @@ class AdaptiveLattice {
     float weight(const Diamond& diamond, const DetailMap* detail) const;
     int orphans(const Diamond& diamond, const Corners& corners, const DetailMap& detail) const;
     float contrast(std::span<const Pixel> corners, const DetailMap* detail) const;
+    std::optional<glm::vec3> shown(Pixel pixel) const;
     float jump(Pixel p, Pixel q) const;
     const Light* light_at(Pixel pixel) const;
 

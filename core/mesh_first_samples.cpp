@@ -70,20 +70,26 @@ void MeshPreviewer::learn_cost(const Sample& sample) {
     }
     if (!cost_known()) return;
     const double full_ns = usual_cost(grid_costs_);
-    plan_ = plan_by_cost(full_ns, squares_.pixels(), options_.threads);
-    albedo_fetch_.set_price(options_.by_cost
-                                ? albedo_price(usual_cost(trial_costs_), full_ns, options_.threads)
-                                : usual_albedo_price);
+    plan_ = plan_at(full_ns);
+    albedo_fetch_.set_price(options_.by_cost ? albedo_price_at(full_ns) : usual_albedo_price);
     if (seem_cheap()) start_lattice();
     // Nothing is spared for the sake of a lower rung's cost; the target's is learnt later.
     if (climb_.at_target()) return;
     plan_.edges = true;
-    plan_.vertex_budget = plan_by_cost(0, 0, options_.threads).vertex_budget;
+    plan_.vertex_budget = plan_at(0).vertex_budget;
+}
+
+CostPlan MeshPreviewer::plan_at(double full_ns) const {
+    return plan_by_cost(full_ns, squares_.pixels(), options_.threads);
+}
+
+double MeshPreviewer::albedo_price_at(double full_ns) const {
+    return albedo_price(usual_cost(trial_costs_), full_ns, options_.threads);
 }
 
 bool MeshPreviewer::seem_cheap() const {
     return options_.lattice && !lattice_ && !climb_.has_rungs() &&
-           plan_by_cost(usual_cost(grid_costs_), squares_.pixels(), options_.threads).lattice;
+           plan_at(usual_cost(grid_costs_)).lattice;
 }
 
 }  // namespace povpreview

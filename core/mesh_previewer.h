@@ -132,6 +132,8 @@ class MeshPreviewer : public Previewer {
     std::vector<int> grid_lines(int pixels) const;
     int lattice_side() const;
     void learn_cost(const Sample& sample);
+    CostPlan plan_at(double full_ns) const;
+    double albedo_price_at(double full_ns) const;
     bool seem_cheap() const;
     bool cost_known() const { return grid_costs_.size() == grid_.size(); }
 

@@ -83,11 +83,11 @@ bool MeshPreviewer::climb(bool at_rest) {
 /// cheap and the picture has hardly begun, it goes on as if there had been no lower rung.
 void MeshPreviewer::reach_target() {
     const double full_ns = climb_.cost_ns(target_rung);
-    plan_ = plan_by_cost(full_ns, squares_.pixels(), options_.threads);
+    plan_ = plan_at(full_ns);
     if (options_.lattice && plan_.lattice &&
         squares_.answered() <= std::max(2 * grid_.size(), squares_.pixels() / pixels_to_one_low))
         return start_lattice();
-    albedo_fetch_.set_price(albedo_price(usual_cost(trial_costs_), full_ns, options_.threads));
+    albedo_fetch_.set_price(albedo_price_at(full_ns));
     for (std::size_t square = 0; square < squares_.squares(); ++square)
         if (is_dense(square)) squares_.fill(square);
 }

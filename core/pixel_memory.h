@@ -7,10 +7,10 @@
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <new>
 #include <span>
 #include <type_traits>
-#include <utility>
 
 namespace povpreview {
 
@@ -21,9 +21,9 @@ enum class Touched {
 };
 
 /// A value for each pixel, with all bits 0 at first. Memory comes into being page by page where it
-/// is first touched: threads can share that work, and the first samples do not wait for memory that
-/// most of the picture's will use. A picture's worth of small pages takes as long as drawing a
-/// simple scene; a large one takes as long as many samples.
+/// is first touched: threads can share that work, and the first samples do not wait for the memory
+/// of all others. A picture's worth of small pages takes as long as drawing a simple scene; a large
+/// one takes as long as many samples.
 template <class T>
 class PixelMemory {
    public:
@@ -35,8 +35,8 @@ class PixelMemory {
         const bool large = touched == Touched::all_over && pixels * sizeof(T) >= large_page / 4;
         const std::size_t used = large ? round_up(pixels * sizeof(T)) : pixels * sizeof(T);
         // A large page's worth more, since large pages begin where not all mappings do.
-        mapped_ = Mapped(std::max<std::size_t>(1, used) + (large ? large_page : 0));
-        values_ = static_cast<T*>(mapped_.begin());
+        mapped_ = map(std::max<std::size_t>(1, used) + (large ? large_page : 0));
+        values_ = static_cast<T*>(mapped_.get());
         if (!large) return;
         values_ = reinterpret_cast<T*>(round_up(reinterpret_cast<std::uintptr_t>(values_)));
 #ifdef MADV_HUGEPAGE
@@ -61,35 +61,22 @@ class PixelMemory {
         return (bytes + large_page - 1) / large_page * large_page;
     }
 
-    /// Memory straight from the system.
-    class Mapped {
-       public:
-        Mapped() = default;
-        explicit Mapped(std::size_t bytes) : bytes_(bytes) {
-            void* const at =
-                mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
-            if (at == MAP_FAILED) throw std::bad_alloc();
-            begin_ = at;
-        }
-        Mapped(Mapped&& other) noexcept
-            : begin_(std::exchange(other.begin_, nullptr)), bytes_(other.bytes_) {}
-        Mapped& operator=(Mapped&& other) noexcept {
-            std::swap(begin_, other.begin_);
-            std::swap(bytes_, other.bytes_);
-            return *this;
-        }
-        ~Mapped() {
-            if (begin_) munmap(begin_, bytes_);
-        }
-        void* begin() const { return begin_; }
-
-       private:
-        void* begin_ = nullptr;
-        std::size_t bytes_ = 0;
+    struct Unmap {
+        std::size_t bytes;
+        void operator()(void* at) const { munmap(at, bytes); }
     };
+    using Mapped = std::unique_ptr<void, Unmap>;
+
+    /// Memory straight from the system.
+    static Mapped map(std::size_t bytes) {
+        void* const at =
+            mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+        if (at == MAP_FAILED) throw std::bad_alloc();
+        return {at, Unmap{bytes}};
+    }
 
     std::size_t size_;
-    Mapped mapped_;
+    Mapped mapped_{nullptr, Unmap{0}};
     T* values_;
 };
 

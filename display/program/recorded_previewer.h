@@ -114,16 +114,16 @@ class RecordedPreviewer : public Previewer {
     }
     bool wants_edges() const override { return previewer_->wants_edges(); }
     void accept_edges(std::vector<EdgeChain>&& chains) override {
-        recording_.add(Recording::Event(chains));
+        recording_.add(chains);
         previewer_->accept_edges(std::move(chains));
     }
     bool wants_items() const override { return previewer_->wants_items(); }
     void accept_items(const DrawnDetail& items) override {
-        recording_.add(Recording::Event(&items));
+        recording_.add(&items);
         previewer_->accept_items(items);
     }
     void accept_ready(Rung rung) override {
-        recording_.add(Recording::Event(rung));
+        recording_.add(rung);
         previewer_->accept_ready(rung);
     }
     bool waits() const override { return previewer_->waits(); }

@@ -25,17 +25,20 @@ def crossing(run, x, e, level):
     return a[x] * (b[x] / a[x]) ** share
 
 
+rounding = 2e-4  # by the digits that the curves have
+
+
 def check(record, name, value):
     global checked
     checked += 1
     said = record[name] if record[name] is not None else math.inf
-    if not (said == value or abs(said - value) <= 2e-4 * abs(value) + 1e-6):
+    if not (said == value or abs(said - value) <= rounding * abs(value) + 1e-6):
         sys.exit(f"{name} of {record} is {value} by the curves")
 
 
 def check_sooner(record, name, pairs):
     """In how many pairs the first is sooner by over 5 %; the curves' digits leave open a pair at the border."""
-    least, most = (sum(a * 1.05 * (1 + rounding) < b for a, b in pairs) for rounding in (2e-4, -2e-4))
+    least, most = (sum(a * 1.05 * (1 + r) < b for a, b in pairs) for r in (rounding, -rounding))
     check(record, name, min(max(record[name], least), most))
 
 
