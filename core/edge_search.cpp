@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/edge_chains.h"
+#include "core/give_way.h"
 
 namespace povpreview {
 
@@ -28,6 +29,7 @@ EdgeSearch::~EdgeSearch() {
 
 void EdgeSearch::run() {
     const Clock::time_point begin = Clock::now();
+    give_way();
     if (const std::optional<PolygonScene> scene = make_scene_()) search(*scene);
     report_.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
     const std::lock_guard lock(mutex_);

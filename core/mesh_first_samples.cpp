@@ -64,12 +64,10 @@ int MeshPreviewer::lattice_side() const {
 void MeshPreviewer::learn_cost(const Sample& sample) {
     if (cost_known()) return;
     grid_costs_.push_back(options_.by_cost ? sample.cost_ns : 0);
-    if (grid_costs_.size() == early_samples_ && seem_cheap()) {
-        grid_.resize(grid_asked_);  // the lattice has samples of its own
-        start_lattice();
-    }
+    if (grid_costs_.size() == early_samples_ && seem_cheap()) start_lattice();
     if (!cost_known()) return;
-    const double full_ns = usual_cost(grid_costs_);
+    const double full_ns =
+        climb_.has_rungs() ? climb_.cost_ns(climb_.current()) : usual_cost(grid_costs_);
     plan_ = plan_at(full_ns);
     albedo_fetch_.set_price(options_.by_cost ? albedo_price_at(full_ns) : usual_albedo_price);
     if (seem_cheap()) start_lattice();

@@ -103,13 +103,16 @@ std::optional<Request> MeshPreviewer::next() {
         if (auto albedo = next_trial()) return albedo;
         // If samples are cheap, waiting costs nothing.
         if (options_.lattice && options_.by_cost && grid_asked_ == early_samples_ &&
-            grid_costs_.size() < grid_asked_ && (grid_costs_.empty() || seem_cheap()))
+            grid_costs_.size() < grid_asked_ &&
+            (grid_costs_.empty() || plan_at(usual_cost(grid_costs_)).lattice))
             return std::nullopt;
+        if (auto trial = next_trial_above()) return trial;
+        if (is_undecided() && !climb_.seems_dear()) return std::nullopt;
         return request({Pending::Use::vertex, grid_[grid_asked_++], recent_});
     }
     if (lattice_) return next_in_lattice();
     if (auto trial = next_trial_above()) return trial;
-    if (climb_.undecided() && dear_pending() >= undecided_window) return std::nullopt;
+    if (is_undecided()) return std::nullopt;
     if (retrace_turn_) {
         retrace_turn_ = false;  // new samples take turns with old ones
         if (auto again = next_retrace(climb_.current())) return again;
@@ -138,6 +141,12 @@ std::optional<Request> MeshPreviewer::next() {
         squares_.fill(fill_order_.back());
         fill_order_.pop_back();
     }
+}
+
+/// Whether so much has been asked for that the tracer is busy until it is known what a higher rung
+/// costs.
+bool MeshPreviewer::is_undecided() const {
+    return climb_.undecided() && dear_pending() >= undecided_window;
 }
 
 std::optional<Request> MeshPreviewer::next_in_lattice() {
@@ -362,6 +371,7 @@ void MeshPreviewer::start_lattice() {
     chains_ = {};
     retries_.clear();
     albedo_fetch_.clear();
+    grid_.resize(grid_asked_);  // the lattice has samples of its own
     lattice_.emplace(squares_, width_, height_, lattice_side());
     if (detail_) lattice_->accept_detail(*detail_);
 }

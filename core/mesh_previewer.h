@@ -142,6 +142,7 @@ class MeshPreviewer : public Previewer {
     std::optional<Request> request(Pending pending);
     /// Requests outstanding that keep the tracer busy: it answers albedo rays in no time.
     std::size_t dear_pending() const { return pending_.size() - albedos_pending_; }
+    bool is_undecided() const;
     std::optional<Request> next_in_lattice();
     std::optional<Request> refine();
     std::optional<Request> refine(const RefinementHeap::Entry& entry);

@@ -95,13 +95,14 @@ void MeshPreviewer::reach_target() {
 /// Some positions of the first samples, spread over the image, traced at the next rung to learn
 /// what that costs.
 std::optional<Request> MeshPreviewer::next_trial_above() {
-    if (!cost_known() || climb_.next() == climb_.current()) return std::nullopt;
+    if (grid_costs_.size() < early_samples_ || climb_.next() == climb_.current())
+        return std::nullopt;
     // Not in order: the first samples are the image's corners, which are not like the rest.
     for (std::size_t i = 0; i < low_.size(); ++i) {
         const std::size_t low = (i * 61 + 30) % low_.size();
         if (low_[low].asked || climb_.place(low_[low].rung) >= climb_.place(climb_.next()))
             continue;
-        if (!climb_.take_trial()) break;
+        if (!climb_.take_trial(!cost_known())) break;
         return ask_retrace(low, climb_.next());
     }
     return std::nullopt;

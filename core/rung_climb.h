@@ -48,8 +48,11 @@ class RungClimb {
     void compare(Rung lower, const glm::vec3& low, const glm::vec3& high);
 
     /// A rung higher than the current one is ready, but what it costs is not known: some positions
-    /// should be traced at it. Each call with the answer true counts as one of them.
-    bool take_trial();
+    /// should be traced at it. Each call with the answer true counts as one of them. `early`: the
+    /// first picture is not there yet, and shall not wait for dear ones.
+    bool take_trial(bool early);
+    /// As far as that is known by the first of those positions.
+    bool seems_dear() const;
     /// A higher rung is ready, and too little is known of what it costs.
     bool undecided() const;
     /// The highest rung that is ready and above the current one; that where there is none.

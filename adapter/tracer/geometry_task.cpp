@@ -14,6 +14,7 @@
 #include "backend/scene/view.h"
 // clang-format on
 
+#include "backend/oracle/give_way.h"
 #include "base/povdebug.h"
 
 namespace povpreview::tracer {
@@ -23,6 +24,7 @@ GeometryTask::GeometryTask(pov::ViewData* view, std::shared_ptr<const SharedScen
 
 void GeometryTask::Run() {
     wait_for_first_answers();
+    give_way();
     const pov::Camera& camera = GetViewData()->GetCamera();
     const auto inside = [this](const Point& p, const pov::ObjectBase& object) {
         const pov::VECTOR point = {p.x, p.y, p.z};

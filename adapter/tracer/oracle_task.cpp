@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "backend/oracle/oracle_task.h"
 
-#include <sys/resource.h>
-
 #include <chrono>
 #include <cmath>
 
@@ -14,6 +12,7 @@
 #include "base/povmsgid.h"
 // clang-format on
 
+#include "backend/oracle/give_way.h"
 #include "backend/oracle/seed.h"
 #include "backend/oracle/trace_flags.h"
 #include "base/povdebug.h"
@@ -64,7 +63,7 @@ void OracleTask::Run() {
     radiosity_.BeforeTile(0);
     while (final || !queue.target_released()) {
         Cooperate();
-        if (!final) give_way();
+        if (!final) let_preparation_go_first();
         const Slice slice = queue.take(patience, final);
         if (slice.count > 0) trace_slice(slice);
         if (slice.count == 0 && queue.finished()) return;  // the image is wanted
@@ -73,11 +72,10 @@ void OracleTask::Run() {
 }
 
 /// A while after the previewer has had its first look, preparing the target comes first.
-void OracleTask::give_way() {
-    constexpr int niceness = 5;  // about a quarter of a processor that others want as well
+void OracleTask::let_preparation_go_first() {
     if (gives_way_ || !Oracle::instance().preparation_first()) return;
     gives_way_ = true;
-    setpriority(PRIO_PROCESS, 0, niceness);  // of this thread alone, on Linux
+    give_way();
 }
 
 /// The rung that a batch is traced at: that asked for, or a higher one. Samples that were to do

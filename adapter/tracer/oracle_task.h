@@ -60,7 +60,7 @@ class OracleTask : public pov::RenderTask, public BesideTask {
         pov::Task& task_;
     };
 
-    void give_way();
+    void let_preparation_go_first();
     void trace_slice(const Slice& slice);
     RungKind rung_for(const Batch& batch) const;
     void set_rung(RungKind rung);

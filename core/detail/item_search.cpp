@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "core/detail/item_search.h"
 
-#include <unistd.h>
-
 #include "core/detail/item_painter.h"
+#include "core/give_way.h"
 
 namespace povpreview {
 
@@ -40,7 +39,7 @@ void ItemSearch::run() {
     // those are: at 1920x1080 it delays an error of .02 by a fifth if it gets an equal share of
     // two processors (seven of dear_scenes.txt), and by another tenth if it does not keep to its
     // PaintingPace. Where there are more, it gets those left over.
-    [[maybe_unused]] const int niceness = nice(5);
+    give_way();
     if (const Scene scene = make_scene_(); scene && !pace_.stopped()) paint(*scene);
     {
         const std::lock_guard lock(mutex_);

@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "adapter/straight_camera.h"
+#include "core/give_way.h"
 #include "display/program/tracer_program.h"
 
 namespace povpreview {
@@ -136,6 +137,7 @@ void TracedScene::take_geometry() {
     left_out_ = left_out(*geometry);
     has_images_ = !geometry->images.empty();
     const auto make = [geometry = std::move(*geometry), this]() -> ItemSearch::Scene {
+        give_way();
         std::optional<DrawableScene> scene = drawable_scene(geometry, description_);
         if (!scene) return nullptr;
         return std::make_shared<const DrawableScene>(std::move(*scene));

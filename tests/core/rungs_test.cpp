@@ -113,14 +113,14 @@ Sample traced(Rung rung, std::uint32_t cost_ns) {
 
 /// Has all trials answered that are asked for.
 void try_next(RungClimb& climb, std::uint32_t cost_ns) {
-    while (climb.take_trial()) climb.learn(traced(climb.next(), cost_ns));
+    while (climb.take_trial(false)) climb.learn(traced(climb.next(), cost_ns));
 }
 
 TEST(RungClimb, WithOneRungThereIsNothingToClimb) {
     RungClimb climb({}, pixels, 100);
     EXPECT_TRUE(climb.at_target());
     EXPECT_EQ(climb.current(), target_rung);
-    EXPECT_FALSE(climb.take_trial());
+    EXPECT_FALSE(climb.take_trial(false));
     EXPECT_FALSE(climb.climb());
 }
 
@@ -165,6 +165,49 @@ TEST(RungClimb, DropsARungThatGainsNothing) {
     }
 }
 
+/// Trials asked for before the first picture is there, as many as are then.
+std::size_t try_early(RungClimb& climb, std::uint32_t cost_ns) {
+    std::size_t trials = 0;
+    // All that may be asked for is, before any answer comes.
+    for (std::size_t asked = 0;; trials += asked, asked = 0) {
+        while (climb.take_trial(true)) ++asked;
+        if (asked == 0) return trials;
+        for (std::size_t i = 0; i < asked; ++i) climb.learn(traced(climb.next(), cost_ns));
+    }
+}
+
+TEST(RungClimb, BeforeTheFirstPictureItTriesOutFewDearSamples) {
+    RungClimb climb({{{"sketch"}, {"target"}}}, pixels, 100);
+    for (int i = 0; i < 30; ++i) climb.learn(traced(0, 10'000));
+    EXPECT_EQ(try_early(climb, 4'000'000), 2u);
+    EXPECT_TRUE(climb.seems_dear());
+    EXPECT_TRUE(climb.undecided());
+    EXPECT_FALSE(climb.climb());
+    EXPECT_TRUE(climb.take_trial(false));
+}
+
+TEST(RungClimb, BeforeTheFirstPictureItLeavesARungThatGainsNothing) {
+    for (const std::uint32_t cost : {15'000u, 500'000u}) {
+        RungClimb climb({{{"sketch"}, {"target"}}}, pixels, 100);
+        for (int i = 0; i < 30; ++i) climb.learn(traced(0, 10'000));
+        EXPECT_GE(try_early(climb, cost), 2u);
+        EXPECT_FALSE(climb.seems_dear());
+        EXPECT_FALSE(climb.undecided());
+        EXPECT_TRUE(climb.climb());
+    }
+}
+
+TEST(RungClimb, TwoCheapSamplesTellEnough) {
+    RungClimb climb({{{"sketch"}, {"target"}}}, pixels, 100);
+    for (int i = 0; i < 30; ++i) climb.learn(traced(0, 10'000));
+    for (const std::uint32_t cost : {5'000u, 19'000u}) {
+        EXPECT_TRUE(climb.undecided());
+        ASSERT_TRUE(climb.take_trial(true));
+        climb.learn(traced(target_rung, cost));
+    }
+    EXPECT_FALSE(climb.undecided());
+}
+
 TEST(RungClimb, SkipsNoReadyRungAndWaitsForTheTarget) {
     RungClimb climb({{{"sketch"}, {"unprepared"}, {"target", false}}}, pixels, 100);
     for (int i = 0; i < 400; ++i) climb.learn(traced(0, 10'000));
@@ -173,7 +216,7 @@ TEST(RungClimb, SkipsNoReadyRungAndWaitsForTheTarget) {
     ASSERT_TRUE(climb.climb());
     EXPECT_EQ(climb.current(), 1);
     for (int i = 0; i < 4000; ++i) climb.learn(traced(1, 3'000'000));
-    EXPECT_FALSE(climb.take_trial());
+    EXPECT_FALSE(climb.take_trial(false));
     EXPECT_FALSE(climb.climb());
     climb.ready(target_rung);
     EXPECT_EQ(climb.next(), target_rung);
