@@ -46,6 +46,16 @@ void announce_pretrace(const SceneFacts& facts) {
                 std::max<std::uint64_t>(1, std::uint64_t{facts.width} * facts.height / 4));
 }
 
+/// Samples of a first look. Each is soon traced again where radiosity is prepared, which takes both
+/// processors for a moment only in many scenes: there they are as many as a first grid takes
+/// (raddem and six more at 640x480 come to an error of .02 in .72 of the time that 2400 let them).
+/// Photons change less of a picture.
+std::int64_t first_look(const SceneFacts& scene) {
+    const std::int64_t a_hundredth = std::int64_t{scene.width} * scene.height / 128;
+    return scene.features.count("radiosity") ? std::min<std::int64_t>(320, a_hundredth)
+                                             : a_hundredth;
+}
+
 /// Waits while the previewer makes a first picture, so that preparing the target does not compete
 /// with it.
 class FirstLookTask : public pov::RenderTask {
@@ -96,7 +106,7 @@ void OracleStages::append_early(POVMS_Object& options) {
     announce_pretrace(*facts);
     tasks_.AppendFunction([facts, prepares](pov::TaskQueue&) {
         if (!prepares) Oracle::instance().queue().release_target();
-        Oracle::instance().begin_first_look(std::int64_t{facts->width} * facts->height / 128);
+        Oracle::instance().begin_first_look(first_look(*facts));
         Oracle::instance().wire().send_scene(*facts);
     });
     if (!prepares) return;

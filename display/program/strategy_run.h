@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <memory>
 #include <optional>
@@ -91,9 +92,10 @@ class StrategyRun {
         const bool over = !wants_rungs_ || (preparing_until_ && Clock::now() >= *preparing_until_);
         session_.pause_at(over ? SIZE_MAX : look);
     }
-    /// Samples that the tracer makes before it prepares anything.
+    /// Samples that the tracer makes before it prepares radiosity.
     static std::size_t first_look(const SceneDescription& scene) {
-        return std::size_t(scene.width) * std::size_t(scene.height) / 128;
+        return std::min<std::size_t>(320,
+                                     std::size_t(scene.width) * std::size_t(scene.height) / 128);
     }
 
     static std::unique_ptr<Previewer> observed(std::unique_ptr<Previewer> previewer,
