@@ -22,9 +22,6 @@ constexpr int receives_in_a_row = 16;
 /// fill memory.
 constexpr std::size_t outstanding_limit = std::size_t{1} << 20;
 
-/// Points, corners or polygons of a scene: ten times what the tracer sends at most.
-constexpr std::size_t geometry_limit = std::size_t{1} << 24;
-
 /// POV-Ray's message, with its place if it does not name it itself.
 std::string message(const report::Failure& failure) {
     if (failure.file.empty() || failure.message.find("File '") != std::string::npos)
@@ -58,10 +55,7 @@ void PovrayOracle::start() {
     first_batch_ = 1;
     set_outstanding(0);
     sent_end_ = queue_.begin();
-    arriving_ = {};
-    geometry_ended_ = false;
-    arriving_images_.clear();
-    image_ = 0;
+    arrival_.begin();
     last_look_ = Clock::now();
     try {
         process_ = std::make_unique<TracerProcess>(
@@ -87,11 +81,12 @@ const SceneDescription& PovrayOracle::wait_for_scene(
 }
 
 void PovrayOracle::wait_for_geometry(const std::function<bool()>& interrupted) {
-    wait_until([this] { return geometry_complete_; }, "the scene's polygons", interrupted);
+    wait_until([this] { return arrival_.geometry_complete(); }, "the scene's polygons",
+               interrupted);
 }
 
 void PovrayOracle::wait_for_images(const std::function<bool()>& interrupted) {
-    wait_until([this] { return images_complete_; }, "the scene's images", interrupted);
+    wait_until([this] { return arrival_.images_complete(); }, "the scene's images", interrupted);
 }
 
 void PovrayOracle::wait_until(const std::function<bool()>& come, const char* awaited,
@@ -215,9 +210,11 @@ void PovrayOracle::handle(std::span<const std::byte> frame) {
     if (state_ == State::greeting) throw WireFault("another message before its greeting");
     if (const auto* answer = std::get_if<report::Answer>(&any)) return handle_answer(*answer);
     if (const auto* scene = std::get_if<SceneDescription>(&any)) return handle_scene(*scene);
-    if (const auto* chunk = std::get_if<report::GeometryChunk>(&any))
-        return handle_geometry(*chunk);
-    if (const auto* part = std::get_if<report::Texels>(&any)) return handle_texels(*part);
+    if (const auto* chunk = std::get_if<report::GeometryChunk>(&any)) {
+        if (state_ < State::serving) throw WireFault("geometry before the scene");
+        return arrival_.accept(*chunk);
+    }
+    if (const auto* part = std::get_if<report::Texels>(&any)) return arrival_.accept(*part);
     if (const auto* ready = std::get_if<report::RungReady>(&any)) return handle_ready(*ready);
     preparation_ = std::get<report::Progress>(any);
     if (progress_) progress_(preparation_);
@@ -273,54 +270,6 @@ void PovrayOracle::handle_failure(const report::Failure& failure) {
              ? "files are looked for, and may be read, in the folder of the scene, the working "
                "folder and the libraries: add a folder by +L"
              : "");
-}
-
-void PovrayOracle::handle_geometry(const report::GeometryChunk& chunk) {
-    if (state_ < State::serving) throw WireFault("geometry before the scene");
-    if (geometry_ended_) throw WireFault("more geometry after the last of it");
-    geometry_ended_ = chunk.last;
-    arriving_images_.insert(arriving_images_.end(), chunk.part.images.begin(),
-                            chunk.part.images.end());
-    std::size_t texels = 0;
-    for (const ImageTexels& image : arriving_images_)
-        texels += std::size_t{image.width} * image.height;
-    if (texels > wire_max_texels) throw WireFault(fmt::format("images of {} texels", texels));
-    if (chunk.last) check_images_complete();
-    if (geometry_complete_) return;  // an earlier process had sent it
-    arriving_.append(chunk.part);
-    for (const std::size_t size :
-         {arriving_.points.size(), arriving_.corners.size(), arriving_.polygons.size(),
-          arriving_.left_out.size(), arriving_.solids.size(), arriving_.conditions.size(),
-          arriving_.pieces.size(), arriving_.objects.size(), arriving_.unknown.size(),
-          arriving_.unknown_in_mirrors.size(), arriving_.looks.size()})
-        if (size > geometry_limit)
-            throw WireFault(fmt::format("geometry of more than {} parts", geometry_limit));
-    if (!chunk.last) return;
-    geometry_complete_ = true;
-    geometry_ = std::exchange(arriving_, {});
-}
-
-void PovrayOracle::handle_texels(const report::Texels& part) {
-    if (!geometry_ended_) throw WireFault("texels before the last of the geometry");
-    if (image_ >= arriving_images_.size() || part.image != image_)
-        throw WireFault(fmt::format("texels of image {}, not of image {}", part.image, image_));
-    ImageTexels& image = arriving_images_[image_];
-    const std::size_t size = std::size_t{image.width} * image.height;
-    if (part.first != image.texels.size() || part.texels.size() > size - part.first)
-        throw WireFault(fmt::format("texels {} to {} of an image of {}, after {}", part.first,
-                                    part.first + part.texels.size(), size, image.texels.size()));
-    image.texels.insert(image.texels.end(), part.texels.begin(), part.texels.end());
-    if (image.texels.size() == size) ++image_;
-    check_images_complete();
-}
-
-void PovrayOracle::check_images_complete() {
-    if (image_ < arriving_images_.size()) return;
-    // An earlier process may have sent them all.
-    if (!images_complete_) images_ = std::move(arriving_images_);
-    images_complete_ = true;
-    arriving_images_.clear();
-    image_ = 0;
 }
 
 void PovrayOracle::handle_answer(const report::Answer& answer) {

@@ -11,11 +11,10 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "adapter/crash_search.h"
-#include "adapter/geometry.h"
+#include "adapter/geometry_arrival.h"
 #include "adapter/sample_queue.h"
 #include "adapter/scene.h"
 #include "adapter/tracer_process.h"
@@ -71,7 +70,7 @@ class PovrayOracle : public SampleOracle {
 
     /// The scene's polygons, once, when all of them have come; they come beside the samples, soon
     /// after the scene. Nothing before that and afterwards.
-    std::optional<Geometry> take_geometry() { return std::exchange(geometry_, std::nullopt); }
+    std::optional<Geometry> take_geometry() { return arrival_.take_geometry(); }
     /// Waits until take_geometry() has something to give, or has given it. Throws Error as
     /// wait_for_scene() does, and after a silence as long as a stall. REQUIRES: the scene has come,
     /// and Settings::geometry asked for its polygons.
@@ -79,9 +78,7 @@ class PovrayOracle : public SampleOracle {
 
     /// The texels of Geometry::images, once, when all of them have come, which is after the
     /// geometry. Nothing before that and afterwards.
-    std::optional<std::vector<ImageTexels>> take_images() {
-        return std::exchange(images_, std::nullopt);
-    }
+    std::optional<std::vector<ImageTexels>> take_images() { return arrival_.take_images(); }
     /// As wait_for_geometry(), for take_images().
     void wait_for_images(const std::function<bool()>& interrupted);
 
@@ -139,9 +136,6 @@ class PovrayOracle : public SampleOracle {
     void handle_answer(const report::Answer& answer);
     void wait_until(const std::function<bool()>& come, const char* awaited,
                     const std::function<bool()>& interrupted);
-    void handle_geometry(const report::GeometryChunk& chunk);
-    void handle_texels(const report::Texels& part);
-    void check_images_complete();
     void handle_ready(const report::RungReady& ready);
     [[noreturn]] void handle_failure(const report::Failure& failure);
 
@@ -187,15 +181,8 @@ class PovrayOracle : public SampleOracle {
     report::Progress preparation_;
     std::function<void(const report::Progress&)> progress_;
 
-    Geometry arriving_;                               ///< what this process has sent so far
-    bool geometry_ended_ = false;                     ///< this process has sent all
-    bool geometry_complete_ = false;                  ///< some process has
-    const char* awaited_ = nullptr;                   ///< what is due beside samples, or null
-    std::optional<Geometry> geometry_;                ///< complete, and not taken yet
-    std::vector<ImageTexels> arriving_images_;        ///< what this process has sent so far
-    std::size_t image_ = 0;                           ///< of them the one that is coming
-    bool images_complete_ = false;                    ///< some process has sent them all
-    std::optional<std::vector<ImageTexels>> images_;  ///< complete, and not taken yet
+    GeometryArrival arrival_;
+    const char* awaited_ = nullptr;  ///< what is due beside samples, or null
     std::vector<std::string> faults_;
 
     TracerStatistics statistics_;
