@@ -124,9 +124,10 @@ Stage MeshPreviewer::rising_stage() const {
 }
 
 Stage MeshPreviewer::filling_stage() const {
-    Stage result = lattice_ ? stage("lattice", true, "samples are cheap", {Pending::Use::fill})
-                            : stage("filling", true, "every pixel gets its own sample in the end",
-                                    {Pending::Use::fill});
+    Stage result = lattice_
+                       ? stage(lattice_stage_name, true, "samples are cheap", {Pending::Use::fill})
+                       : stage("filling", true, "every pixel gets its own sample in the end",
+                               {Pending::Use::fill});
     result.expected = 1 - (lattice_ ? *triangulation_stage().expected : vertex_share());
     return result;
 }

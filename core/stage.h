@@ -22,6 +22,7 @@ struct Stage {
 
 /// Those that others have something to add to.
 inline constexpr const char *refinement_stage_name = "triangulation",
+                            *lattice_stage_name = "lattice",
                             *edge_stage_name = "edges without rays";
 
 }  // namespace povpreview

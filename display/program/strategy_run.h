@@ -60,7 +60,9 @@ class StrategyRun {
         std::vector<Stage> all = previewer_->stages();
         if (all.empty()) return all;
         for (Stage& stage : all) {
-            if (stage.name == refinement_stage_name) stage.own_s = session_.own_s();
+            if (stage.runs &&
+                (stage.name == refinement_stage_name || stage.name == lattice_stage_name))
+                stage.own_s = session_.own_s();
             if (stage.name == edge_stage_name) scene_.complete(stage);
         }
         all.insert(all.begin(), scene_.item_stage());
