@@ -80,6 +80,8 @@ struct SceneDescription {
     std::string output;  ///< the image file that POV-Ray would write, by its rules; empty: none
     std::vector<std::string> files;  ///< that it has read, as it names them
     Ladder ladder;
+    /// Full samples that the tracer waits for before it prepares the target, where it has to.
+    std::uint32_t first_look = 0;
 
     bool has(std::string_view feature) const {
         return std::find(features.begin(), features.end(), feature) != features.end();

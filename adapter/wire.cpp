@@ -89,6 +89,7 @@ SceneDescription scene(const wire::Scene& from) {
     to.output = text(from.output());
     if (from.files())
         for (const flatbuffers::String* f : *from.files()) to.files.push_back(text(f));
+    to.first_look = from.first_look();
     check_list(from.rungs(), wire_max_rungs, "rungs");
     if (!from.rungs() || from.rungs()->size() == 0) return to;  // the target alone
     to.ladder.rungs.clear();

@@ -30,7 +30,7 @@ struct Answer;  // the generated table
 }
 
 /// Version of the schema; both ends must have the same.
-constexpr std::uint32_t wire_version = 8;
+constexpr std::uint32_t wire_version = 9;
 /// A frame's flatbuffer is at most this long, bytes. Room for 2^17 samples with all their parts, or
 /// for a scene of 10^5 lights.
 constexpr std::size_t wire_max_frame = std::size_t{16} << 20;

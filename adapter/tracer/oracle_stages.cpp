@@ -50,10 +50,9 @@ void announce_pretrace(const SceneFacts& facts) {
 /// processors for a moment only in many scenes: there they are as many as a first grid takes
 /// (raddem and six more at 640x480 come to an error of .02 in .72 of the time that 2400 let them).
 /// Photons change less of a picture.
-std::int64_t first_look(const SceneFacts& scene) {
-    const std::int64_t a_hundredth = std::int64_t{scene.width} * scene.height / 128;
-    return scene.features.count("radiosity") ? std::min<std::int64_t>(320, a_hundredth)
-                                             : a_hundredth;
+unsigned first_look(const SceneFacts& scene) {
+    const unsigned look = scene.width * scene.height / 128;
+    return scene.features.count("radiosity") ? std::min(320u, look) : look;
 }
 
 /// Waits while the previewer makes a first picture, so that preparing the target does not compete
@@ -94,6 +93,7 @@ void OracleStages::append_early(POVMS_Object& options) {
     const auto facts = std::make_shared<SceneFacts>(
         describe_scene(view_, options.TryGetBool(kPOVAttrib_Antialias, false), shared->linear));
     const bool prepares = needs_preparation(facts->features);
+    facts->first_look = first_look(*facts);
     shared->rungs = rungs_of(facts->features);
     facts->rungs = describe_rungs(shared->rungs, facts->features);
     facts->alpha = scene.outputAlpha;
@@ -106,7 +106,7 @@ void OracleStages::append_early(POVMS_Object& options) {
     announce_pretrace(*facts);
     tasks_.AppendFunction([facts, prepares](pov::TaskQueue&) {
         if (!prepares) Oracle::instance().queue().release_target();
-        Oracle::instance().begin_first_look(first_look(*facts));
+        Oracle::instance().begin_first_look(facts->first_look);
         Oracle::instance().wire().send_scene(*facts);
     });
     if (!prepares) return;

@@ -51,6 +51,7 @@ struct SceneFacts {
     std::string output;
     std::vector<std::string> files;
     std::vector<RungFacts> rungs;  ///< cheapest first, the target last
+    unsigned first_look = 0;       ///< full samples after which the target is prepared
 };
 
 }  // namespace povpreview::tracer

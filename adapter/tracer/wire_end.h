@@ -29,7 +29,7 @@ enum class Stage : std::uint8_t { parsing, bounding, photons, radiosity, ready, 
 /// that it has is worth saving.
 class WireEnd {
    public:
-    static constexpr std::uint32_t version = 8;
+    static constexpr std::uint32_t version = 9;
     static constexpr std::size_t max_frame = 16u << 20;
     static constexpr std::size_t max_positions = std::size_t{1} << 20;
     /// How often progress is reported while the previewer waits for the scene.

@@ -79,10 +79,10 @@ Frame scene_frame(const SceneFacts& scene) {
     const wire::Vec3f background = vec3f(scene.background);
     const auto output = builder.CreateString(scene.output);
     const auto files = builder.CreateVectorOfStrings(scene.files);
-    const auto message =
-        wire::CreateScene(builder, scene.width, scene.height, scene.working_gamma, scene.antialias,
-                          camera(builder, scene.camera), builder.CreateVector(lights), features,
-                          textures, objects, &background, scene.alpha, output, files, rung_vector);
+    const auto message = wire::CreateScene(
+        builder, scene.width, scene.height, scene.working_gamma, scene.antialias,
+        camera(builder, scene.camera), builder.CreateVector(lights), features, textures, objects,
+        &background, scene.alpha, output, files, rung_vector, scene.first_look);
     return wire_frame(builder, wire::Report_Scene, message);
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
-#include <algorithm>
 #include <chrono>
 #include <memory>
 #include <optional>
@@ -89,15 +88,10 @@ class StrategyRun {
         if (!has_radiosity_) return;
         using Clock = std::chrono::steady_clock;
         constexpr std::chrono::milliseconds moment{100};
-        const std::size_t look = first_look(scene_.description());
+        const std::size_t look = scene_.description().first_look;
         if (samples() >= look && !preparing_until_) preparing_until_ = Clock::now() + moment;
         const bool over = !wants_rungs_ || (preparing_until_ && Clock::now() >= *preparing_until_);
         session_.pause_at(over ? SIZE_MAX : look);
-    }
-    /// Samples that the tracer makes before it prepares radiosity.
-    static std::size_t first_look(const SceneDescription& scene) {
-        return std::min<std::size_t>(320,
-                                     std::size_t(scene.width) * std::size_t(scene.height) / 128);
     }
 
     static std::unique_ptr<Previewer> observed(std::unique_ptr<Previewer> previewer,

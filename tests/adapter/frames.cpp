@@ -60,7 +60,7 @@ Bytes scene_frame(std::uint32_t width, std::uint32_t height, bool target_ready) 
     return frame(
         b, wire::Report::Scene,
         wire::CreateSceneDirect(b, width, height, 2.2F, true, camera, &lights, &features, &textures,
-                                &objects, &background, true, "out.png", &files, &rungs)
+                                &objects, &background, true, "out.png", &files, &rungs, 24)
             .Union());
 }
 

@@ -176,6 +176,7 @@ TEST(Wire, ReportsAreReadAsTheyWereWritten) {
     EXPECT_EQ(scene.lights.at(0).points_at, glm::dvec3(0, 0, 4));
     EXPECT_TRUE(scene.lights.at(0).in_group);
     EXPECT_EQ(scene.textures.at(0).count, 3U);
+    EXPECT_EQ(scene.first_look, 24U);
     ASSERT_EQ(scene.ladder.rungs.size(), 3U);
     EXPECT_EQ(scene.ladder.rungs[0].name, "sketch");
     EXPECT_TRUE(scene.ladder.rungs[1].ready);
