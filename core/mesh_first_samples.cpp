@@ -64,13 +64,13 @@ int MeshPreviewer::lattice_side() const {
 void MeshPreviewer::learn_cost(const Sample& sample) {
     if (cost_known()) return;
     grid_costs_.push_back(options_.by_cost ? sample.cost_ns : 0);
-    if (grid_costs_.size() == early_samples_ && seem_cheap()) start_lattice();
+    if (grid_costs_.size() == early_samples_ && suit_lattice()) start_lattice();
     if (!cost_known()) return;
     const double full_ns =
         climb_.has_rungs() ? climb_.cost_ns(climb_.current()) : usual_cost(grid_costs_);
     plan_ = plan_at(full_ns);
     albedo_fetch_.set_price(options_.by_cost ? albedo_price_at(full_ns) : usual_albedo_price);
-    if (seem_cheap()) start_lattice();
+    if (suit_lattice()) start_lattice();
     // Nothing is spared for the sake of a lower rung's cost; the target's is learnt later.
     if (climb_.at_target()) return;
     plan_.edges = true;
@@ -85,9 +85,11 @@ double MeshPreviewer::albedo_price_at(double full_ns) const {
     return albedo_price(usual_cost(trial_costs_), full_ns, options_.threads);
 }
 
-bool MeshPreviewer::seem_cheap() const {
-    return options_.lattice && !lattice_ && !climb_.has_rungs() &&
-           plan_at(usual_cost(grid_costs_)).lattice;
+bool MeshPreviewer::seem_cheap() const { return plan_at(usual_cost(grid_costs_)).lattice; }
+
+/// Where there are rungs, the target's cost decides; see reach_target().
+bool MeshPreviewer::suit_lattice() const {
+    return options_.lattice && !lattice_ && !climb_.has_rungs() && seem_cheap();
 }
 
 }  // namespace povpreview

@@ -103,8 +103,7 @@ std::optional<Request> MeshPreviewer::next() {
         if (auto albedo = next_trial()) return albedo;
         // If samples are cheap, waiting costs nothing.
         if (options_.lattice && options_.by_cost && grid_asked_ == early_samples_ &&
-            grid_costs_.size() < grid_asked_ &&
-            (grid_costs_.empty() || plan_at(usual_cost(grid_costs_)).lattice))
+            grid_costs_.size() < grid_asked_ && (grid_costs_.empty() || seem_cheap()))
             return std::nullopt;
         if (auto trial = next_trial_above()) return trial;
         if (is_undecided() && !climb_.seems_dear()) return std::nullopt;

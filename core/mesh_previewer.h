@@ -135,6 +135,7 @@ class MeshPreviewer : public Previewer {
     CostPlan plan_at(double full_ns) const;
     double albedo_price_at(double full_ns) const;
     bool seem_cheap() const;
+    bool suit_lattice() const;
     bool cost_known() const { return grid_costs_.size() == grid_.size(); }
 
     // What is asked for after them.
